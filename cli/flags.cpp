@@ -9,10 +9,6 @@
 namespace windrow::cli {
 namespace {
 
-std::string_view shown(const std::string& text) {
-    return text.empty() ? std::string_view("empty") : std::string_view(text);
-}
-
 void read_value(const std::string& name, const std::string& text, const Flags::Read& read) {
     if (text.starts_with("--"))
         reject(name, " has no value: ", text, " is a flag; write ./", text, " for a file of that name.");

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace windrow::cli {
@@ -67,6 +68,10 @@ template <class Request>
     };
 }
 
+/// A value as a sentence shows it.
+[[nodiscard]] inline std::string_view shown(const std::string& text) {
+    return text.empty() ? std::string_view("empty") : std::string_view(text);
+}
 /// A whole number from 1 to `most`.
 [[nodiscard]] std::int64_t read_count(const std::string& text, const std::string& flag, std::int64_t most);
 /// Rejects a backend that is not built in, and a device without Vulkan.

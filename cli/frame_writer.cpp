@@ -58,13 +58,15 @@ Fault fault_of(const Result<void>& drawn) {
 
 } // namespace
 
-FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames)
-    : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), frames_(frames), digits_(4) {
-    for (std::int64_t limit = 10'000; limit < frames; limit *= 10)
+FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames)
+    : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), first_(frames.first),
+      last_(frames.first + frames.count - 1), digits_(4) {
+    for (std::int64_t limit = 10'000; limit <= last_; limit *= 10)
         ++digits_;
 }
 
-Fault FrameWriter::write(const Playback& playback, std::int64_t frame) {
+Fault FrameWriter::write(const Playback& playback, std::int64_t n) {
+    const std::int64_t frame = first_ + n;
     if (images_)
         if (auto fault = write_picture(playback, frame))
             return fault;
@@ -184,7 +186,7 @@ std::size_t FrameWriter::older_files() const {
             const std::size_t begin = std::string_view(prefix).size();
             const auto number = scene::parse_whole_number(
                 std::string_view(name).substr(begin, name.size() - begin - std::string_view(suffix).size()));
-            if (number && (*number >= frames_ || name != numbered(prefix, *number, suffix)))
+            if (number && (*number > last_ || name != numbered(prefix, *number, suffix)))
                 ++count;
         }
     }

@@ -1,6 +1,7 @@
 // Keeps frames of a run: a picture, a VDB, both.
 #pragma once
 
+#include "cli/film_request.h"
 #include "cli/output_file.h"
 #include "cli/pictures.h"
 #include "cli/playback.h"
@@ -15,10 +16,10 @@ namespace windrow::cli {
 
 class FrameWriter {
   public:
-    /// `folder` stands. `frames` is how many there will be: their numbers get as many digits as the last needs, at least four.
-    FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames);
+    /// `folder` stands. The numbers of frames get as many digits as the last one needs, at least four.
+    FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames);
 
-    /// Writes frame_0000.png and vel_0000.vdb, whole or not at all.
+    /// Writes frame_0000.png and vel_0000.vdb of the n-th frame from 0, whole or not at all.
     [[nodiscard]] Fault write(const Playback& playback, std::int64_t frame);
     /// Writes contact_sheet.png of the pictures so far, twelve at most, evenly spread.
     [[nodiscard]] Fault write_contact_sheet();
@@ -42,7 +43,7 @@ class FrameWriter {
     std::filesystem::path folder_;
     bool images_;
     bool vdb_;
-    std::int64_t frames_;
+    std::int64_t first_, last_; ///< numbers
     int digits_;
     std::vector<std::filesystem::path> pictures_;
     std::optional<FrameParts> parts_; ///< of the pictures

@@ -23,12 +23,13 @@ Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads
     return playback;
 }
 
-Result<Diagnostics> Playback::tick() {
-    const double end = static_cast<double>(ticks_ + 1) / scene_->tick_hz;
-    if (const auto placed = motion_.place(*wind_, time(), end); !placed)
+Result<Diagnostics> Playback::step(const scene::FrameTimes& times) {
+    const double end = times.time_of_step(steps_ + 1);
+    if (const auto placed = motion_.place(*wind_, time_, end); !placed)
         return Error{placed.error()};
-    const Diagnostics diagnostics = wind_->step(1.0 / scene_->tick_hz);
-    ++ticks_;
+    const Diagnostics diagnostics = wind_->step(times.length_of_step(steps_ + 1));
+    ++steps_;
+    time_ = end;
     return diagnostics;
 }
 

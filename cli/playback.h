@@ -15,12 +15,14 @@ class Playback {
     [[nodiscard]] static Result<Playback> create(const scene::Scene& scene, ParallelFor threads,
                                                  const cases::Backend& backend = {});
 
-    /// Advances by one tick: what moves is put where it is at the tick's end, and the air follows.
-    [[nodiscard]] Result<Diagnostics> tick();
+    /// Advances by one step of the times given: what moves is put where it is at the step's end, and the air follows.
+    [[nodiscard]] Result<Diagnostics> step(const scene::FrameTimes& times);
+    /// The same by one tick of the scene, 1 / tick_hz.
+    [[nodiscard]] Result<Diagnostics> tick() { return step({0.0, scene_->tick_hz, scene_->tick_hz}); }
 
-    /// [s] Ticks so far over tick_hz: no sum of rounded steps.
-    [[nodiscard]] double time() const { return static_cast<double>(ticks_) / scene_->tick_hz; }
-    [[nodiscard]] std::int64_t ticks() const { return ticks_; }
+    /// [s]
+    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] std::int64_t steps() const { return steps_; }
     [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
 
@@ -38,7 +40,8 @@ class Playback {
     const scene::Scene* scene_;
     std::unique_ptr<cases::BackendWind> wind_;
     scene::SceneMotion motion_;
-    std::int64_t ticks_ = 0;
+    std::int64_t steps_ = 0;
+    double time_ = 0.0;
 };
 
 } // namespace windrow::cli

@@ -67,16 +67,16 @@ struct SceneRun {
     const RunRequest& request;
     const Console& console;
     std::filesystem::path folder;
-    std::int64_t frames;
+    const Frames& frames;
     FrameWriter writer;
     std::unique_ptr<OutputFile> csv;
     Timings timings;
 
-    /// Ticks until a frame is due. Returns an exit code, k_exit_well to go on.
+    /// Steps until a frame is due. Returns an exit code, k_exit_well to go on.
     int advance_to_frame(Playback& playback, const cases::Backend& backend, std::int64_t frame) {
-        const std::int64_t due = scene.tick_of_frame(frame);
-        while (playback.ticks() < due) {
-            const auto diagnostics = playback.tick();
+        const std::int64_t due = frames.times.step_of_frame(frame);
+        while (playback.steps() < due) {
+            const auto diagnostics = playback.step(frames.times);
             if (!diagnostics) {
                 console.complain(diagnostics.error());
                 return k_exit_wrong_use;
@@ -85,10 +85,10 @@ struct SceneRun {
                 return complain_of(Fault{.sentence = backend.fault(), .machine = true}, console);
             timings.add(playback.time(), *diagnostics);
             if (csv)
-                csv->write(timings_row(playback.ticks(), playback.time(), *diagnostics));
+                csv->write(timings_row(playback.steps(), playback.time(), *diagnostics));
             if (!std::isfinite(diagnostics->energy) || !std::isfinite(diagnostics->max_speed) ||
                 !std::isfinite(diagnostics->divergence_rms)) {
-                console.complain(message(scene.file.string(), ": at ", playback.time(), " s (step ", playback.ticks(),
+                console.complain(message(scene.file.string(), ": at ", playback.time(), " s (step ", playback.steps(),
                                          ") the air is no longer finite (largest speed ", diagnostics->max_speed,
                                          " m/s): this is a fault of windrow, report it with the scene."));
                 return k_exit_out_of_bounds;
@@ -112,8 +112,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
                    request->scene = text;
                })
         ->required();
-    flags.value("--frames", "N", "Frames to make, from time 0, whatever the scene's duration",
-                [request](const std::string& text) { request->frames = read_count(text, "--frames", scene::k_max_frames); });
+    add_film(flags, request->film);
     flags.folder("--out", request->out, "Folder for what is kept; default out/<scene name>");
     flags.threads(request->threads, "Threads; default one a core; results do not depend on it");
     flags.simd(request->simd, "levels differ by rounding");
@@ -123,6 +122,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
+        check_film(request->film);
         chosen = interruptible<RunRequest>(run_scene, request, console);
     });
 }
@@ -136,12 +136,12 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         return k_exit_wrong_use;
     }
     scene->air.simd = request.simd;
+    apply(request.film, *scene);
     if (!check_memory(*scene, console))
         return k_exit_machine;
-    const std::int64_t frames = request.frames.value_or(scene->frame_count());
-    if (scene->tick_of_frame(frames - 1) > scene::k_max_ticks) {
-        console.complain(message("--frames is ", frames, ", ", scene->tick_of_frame(frames - 1),
-                                 " ticks of the scene: give at most ", scene::k_max_ticks, " ticks."));
+    const auto frames = frames_of(request.film, *scene);
+    if (!frames) {
+        console.complain(frames.error());
         return k_exit_wrong_use;
     }
     cases::Backend backend;
@@ -166,21 +166,21 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .request = request,
                  .console = console,
                  .folder = folder,
-                 .frames = frames,
-                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, frames),
+                 .frames = *frames,
+                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, *frames),
                  .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
                  .timings = {}};
     if (run.csv)
         run.csv->write(timings_header());
     if (const std::size_t older = keeps ? run.writer.older_files() : 0; older > 0)
         console.warn(message(folder.string(), " holds ", older, older == 1 ? " frame" : " frames",
-                             " of a longer run, which this run does not replace: remove those that you do not want."));
+                             " of another run, which this run does not replace: remove those that you do not want."));
 
     int code = k_exit_well;
     std::int64_t done = 0;
     {
-        Progress progress(console.progress, frames);
-        while (done < frames && code == k_exit_well && stop_signal() == 0) {
+        Progress progress(console.progress, frames->count);
+        while (done < frames->count && code == k_exit_well && stop_signal() == 0) {
             progress.update(done);
             code = run.advance_to_frame(*playback, backend, done);
             if (code != k_exit_well)
@@ -219,10 +219,11 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 .threads = pool->size(),
                 .device = backend.device_words(),
                 .frames_done = done,
+                .step_hz = frames->times.step_hz(),
                 .csv = request.csv},
                console);
-    if (signal != 0 && done < frames) {
-        console.complain(message("stopped by ", signal == SIGINT ? "Ctrl-C" : "a signal", " after ", done, " of ", frames,
+    if (signal != 0 && done < frames->count) {
+        console.complain(message("stopped by ", signal == SIGINT ? "Ctrl-C" : "a signal", " after ", done, " of ", frames->count,
                                  " frames: all files written so far are complete."));
         return k_exit_signal + signal;
     }

@@ -3,6 +3,7 @@
 
 #include "cli/backend.h"
 #include "cli/console.h"
+#include "cli/film_request.h"
 #include "fluid/simd.h"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace windrow::cli {
 
 struct RunRequest {
     std::filesystem::path scene;
-    std::optional<std::int64_t> frames;       ///< default: the scene's
+    FilmRequest film{};
     std::optional<std::filesystem::path> out; ///< default: out/<scene name>
     bool vdb = false;
     bool images = false;

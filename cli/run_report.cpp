@@ -80,7 +80,7 @@ void report_run(const RunReport& report, const Console& console) {
     const std::int64_t cells =
         static_cast<std::int64_t>(air.cells.x) * static_cast<std::int64_t>(air.cells.y) * static_cast<std::int64_t>(air.cells.z);
     console.out << report.scene.name << ": " << plural(report.frames_done, "frame") << ", " << plural(timings.steps(), "step")
-                << " of 1/" << message(report.scene.tick_hz) << " s, "
+                << " of 1/" << message(report.step_hz) << " s, "
                 << (report.device.empty() ? message(plural(report.threads, "thread"), " (", name_of(air.simd), ")")
                                           : report.device)
                 << "\n"

@@ -22,6 +22,7 @@ struct RunReport {
     int threads = 1;
     const std::string& device; ///< empty: the CPU
     std::int64_t frames_done = 0;
+    double step_hz = 0.0; ///< steps a second between frames
     bool csv = false;
 };
 

@@ -32,13 +32,4 @@ double Scene::floor_height(double time) const {
     return std::get<double>(floor);
 }
 
-std::int64_t Scene::frame_count() const {
-    // A hair of slack, so that 0.3 s at 10 frames a second make 4 frames although 0.3 * 10 rounds below 3.
-    return static_cast<std::int64_t>(std::floor(duration * frames_per_second * (1.0 + 1e-12) + 1e-9)) + 1;
-}
-
-std::int64_t Scene::tick_of_frame(std::int64_t frame) const {
-    return std::llround(static_cast<double>(frame) * tick_hz / frames_per_second);
-}
-
 } // namespace windrow::scene

@@ -4,6 +4,7 @@
 #include "fluid/motors.h"
 #include "fluid/obstacles.h"
 #include "fluid/wind.h"
+#include "scene/frame_times.h"
 #include "scene/motion_path.h"
 
 #include <cstddef>
@@ -115,10 +116,10 @@ struct Scene {
     std::filesystem::path file; ///< where it was read, for sentences
     std::string name;
     std::string description;
-    double duration = 10.0;          ///< [s]
-    double tick_hz = 60.0;           ///< steps a second
-    double frames_per_second = 10.0; ///< at most tick_hz
-    Config air;                      ///< `centre` follows `follow` unless the scene gives one
+    double duration = 10.0; ///< [s]
+    double tick_hz = 60.0;  ///< steps a second at least, see FrameTimes
+    double frames_per_second = 10.0;
+    Config air; ///< `centre` follows `follow` unless the scene gives one
     std::vector<ScenePath> paths;
     /// What the box follows: nothing, a point [m], or a path by its index.
     std::variant<std::monostate, glm::dvec3, std::size_t> follow;
@@ -135,14 +136,12 @@ struct Scene {
     /// [m] Height of the floor at a time.
     [[nodiscard]] double floor_height(double time) const;
 
-    /// Frames of the whole scene: frame i is the air at the tick nearest to i / frames_per_second; the first is at 0, before any
-    /// step.
-    [[nodiscard]] std::int64_t frame_count() const;
-    /// The tick after which frame i is taken.
-    [[nodiscard]] std::int64_t tick_of_frame(std::int64_t frame) const;
+    /// Frames of the whole scene: frame i is the air at i / frames_per_second; the first is at 0, before any step.
+    [[nodiscard]] FrameTimes frame_times() const { return {0.0, frames_per_second, tick_hz}; }
+    [[nodiscard]] std::int64_t frame_count() const { return frame_times().frames_until(duration); }
 };
 
-/// Most frames and ticks of one run; more is an accident with a unit, and would fill any disk.
+/// Most frames and steps of one run; more is an accident with a unit, and would fill any disk.
 inline constexpr std::int64_t k_max_frames = 100'000;
 inline constexpr std::int64_t k_max_ticks = 10'000'000;
 

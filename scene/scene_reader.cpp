@@ -109,25 +109,23 @@ void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> n
 void read_times(JsonObject& object, Scene& scene) {
     const std::size_t faults_before = object.log().faults();
     scene.duration =
-        object.number({"duration", "Time from the first frame to the last; at most 100,000 frames and 10,000,000 ticks."},
+        object.number({"duration", "Time from the first frame to the last; at most 100,000 frames and 10,000,000 steps."},
                       scene.duration, Range::above(0.0, 1e6, "s"));
-    scene.tick_hz = object.number({"tick_hz", "Steps of the solver a second."}, scene.tick_hz, {1.0, 10'000.0, "Hz"});
+    scene.tick_hz = object.number(
+        {"tick_hz", "Steps of the solver a second, at least: between frames it makes equal steps, none longer than 1 / tick_hz."},
+        scene.tick_hz, {1.0, 10'000.0, "Hz"});
     scene.frames_per_second = object.number(
-        {"frames_per_second", "Frames that are kept a second, at most tick_hz. Frame i is the air at the tick nearest to "
-                              "i / frames_per_second; frame 0 is the air before the first step."},
+        {"frames_per_second", "Frames that are kept a second. Frame i is the air at exactly i / frames_per_second; frame 0 "
+                              "is the air before the first step."},
         scene.frames_per_second, {0.001, 10'000.0, "1/s"});
     if (object.log().faults() != faults_before)
         return;
-    if (scene.frames_per_second > scene.tick_hz)
-        object.reject("frames_per_second", message("is ", Figure{scene.frames_per_second}, " 1/s, more than tick_hz, ",
-                                                   Figure{scene.tick_hz}, " Hz: give at most that, or raise tick_hz."));
-    else if (scene.frame_count() > k_max_frames)
+    if (scene.frame_count() > k_max_frames)
         object.reject("duration", message("is ", Figure{scene.duration}, " s, ", scene.frame_count(), " frames: give at most ",
                                           k_max_frames, " frames, by a shorter duration or fewer frames_per_second."));
-    else if (scene.tick_of_frame(scene.frame_count() - 1) > k_max_ticks)
-        object.reject("duration",
-                      message("is ", Figure{scene.duration}, " s, ", scene.tick_of_frame(scene.frame_count() - 1),
-                              " ticks: give at most ", k_max_ticks, " ticks, by a shorter duration or a lower tick_hz."));
+    else if (const auto steps = scene.frame_times().step_of_frame(scene.frame_count() - 1); steps > k_max_ticks)
+        object.reject("duration", message("is ", Figure{scene.duration}, " s, ", steps, " steps: give at most ", k_max_ticks,
+                                          " steps, by a shorter duration or a lower tick_hz."));
 }
 
 void read_outputs(JsonObject& object, Scene& scene) {

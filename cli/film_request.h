@@ -1,0 +1,37 @@
+// What a run asks of its frames: their times and numbers, and what their VDB files hold. Each takes the place of a key of the
+// scene, or adds to it.
+#pragma once
+
+#include "cli/flags.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace windrow::cli {
+
+struct FilmRequest {
+    std::optional<std::int64_t> frames;      ///< default: to the end
+    std::optional<double> frames_per_second; ///< default: the scene's
+    std::optional<double> from, to;          ///< [s] default: 0, and the scene's duration
+    std::int64_t first_frame = 0;            ///< number of the first frame that is kept
+};
+
+/// The frames of one run.
+struct Frames {
+    scene::FrameTimes times;
+    std::int64_t count;
+    std::int64_t first; ///< number of the first one
+};
+
+/// Adds the flags; the request outlives the parsing.
+void add_film(Flags& flags, FilmRequest& request);
+/// Rejects flags that exclude each other.
+void check_film(const FilmRequest& request);
+/// Writes into the scene what was asked for.
+void apply(const FilmRequest& request, scene::Scene& scene);
+/// The frames of a scene that `apply` has changed; rejects none, and too many steps.
+[[nodiscard]] Result<Frames> frames_of(const FilmRequest& request, const scene::Scene& scene);
+
+} // namespace windrow::cli
