@@ -87,6 +87,11 @@ Result<void> BackendWind::write_obstacles(std::span<float> cells) const {
     std::fill(cells.begin(), cells.end(), 0.0f);
     return {};
 }
+Result<void> BackendWind::write_pressure(std::span<float> cells) {
+    if (auto* const wind = std::get_if<Wind>(wind_.get()))
+        return wind->write_pressure(cells);
+    return Error{"a device hands out no pressure: run the air on the CPU."};
+}
 WindView BackendWind::view() const {
     return std::visit([](const auto& wind) { return wind.view(); }, std::as_const(*wind_));
 }

@@ -92,6 +92,8 @@ class BackendWind {
 
     /// None on a device, which has no obstacles.
     Result<void> write_obstacles(std::span<float> cells) const;
+    /// Rejected on a device, which hands out no pressure.
+    Result<void> write_pressure(std::span<float> cells);
     [[nodiscard]] Box box() const { return view().box(); }
     [[nodiscard]] std::span<const glm::vec4> field() const { return view().field(); }
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }

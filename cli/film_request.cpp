@@ -1,7 +1,9 @@
 #include "cli/film_request.h"
 
+#include "cli/info_command.h"
 #include "scene/number_text.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace windrow::cli {
@@ -34,6 +36,32 @@ Flags::Read read_time(const char* flag, std::optional<double>& time) {
     };
 }
 
+Flags::Read read_length(const char* flag, std::optional<double>& length, const Range& range) {
+    return [flag, &length, range](const std::string& text) {
+        const auto number = scene::parse_number(text);
+        if (!number || !range.holds(*number))
+            reject(flag, " is ", shown(text), ": give a number ", range.above_min ? "above " : "from ", figure(range.min), " to ",
+                   figure(range.max), " m.");
+        length = *number;
+    };
+}
+
+// speed,vorticity
+void read_grids(const std::string& text, scene::VdbGrids& grids) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        bool known = false;
+        for_each_setting(grids, [&](const auto& row, bool& wanted) {
+            known = known || word == row.name;
+            wanted = wanted || word == row.name;
+        });
+        if (!known)
+            reject("--grids has ", shown(word), ": give some of speed, vorticity, divergence, pressure, density, with commas.");
+        begin = end + 1;
+    }
+}
+
 } // namespace
 
 void add_film(Flags& flags, FilmRequest& request) {
@@ -53,6 +81,16 @@ void add_film(Flags& flags, FilmRequest& request) {
                 });
 }
 
+void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request) {
+    flags.value("--grids", "LIST", "Grids beside the velocity: speed, vorticity, divergence, pressure, density (of $.smoke)",
+                [&request](const std::string& text) { read_grids(text, request.grids); });
+    flags.value("--margin", "M", "Reach of VDB files beyond the box, in metres, filled with the ambient wind",
+                read_length("--margin", request.margin, {0.0, 1e5}));
+    flags.value("--voxel", "M", "Edge of a voxel in metres; default that of the cells",
+                read_length("--voxel", request.voxel_size, Range::above(0.0, 1e6)));
+    command.add_flag("--nanovdb", request.nanovdb, "Write .nvdb in place of .vdb");
+}
+
 void check_film(const FilmRequest& request) {
     if (request.frames && request.to)
         reject("--frames and --to both say where the film ends: give one of them.");
@@ -60,8 +98,23 @@ void check_film(const FilmRequest& request) {
         reject("--to is ", figure(*request.to), " s, before --from, ", figure(*request.from), " s: give a later time.");
 }
 
-void apply(const FilmRequest& request, scene::Scene& scene) {
+Result<void> apply(const FilmRequest& request, const BackendRequest& backend, scene::Scene& scene) {
     scene.frames_per_second = request.frames_per_second.value_or(scene.frames_per_second);
+    scene::VdbSetting& vdb = scene.vdb;
+    for_each_setting(vdb.grids, [&](const auto& row, bool& wanted) { wanted = wanted || request.grids.*row.member; });
+    if (request.nanovdb)
+        vdb.format = scene::VdbFormat::nanovdb;
+    if (request.margin && vdb.box)
+        return Error{message("--margin is given, and ", scene.file.string(), " has $.vdb.box: drop one of them.")};
+    vdb.margin = request.margin.value_or(vdb.margin);
+    vdb.voxel_size = static_cast<float>(request.voxel_size.value_or(static_cast<double>(vdb.voxel_size)));
+    if (vdb.grids.density && scene.smoke.empty())
+        return Error{message("--grids asks for density, and ", scene.file.string(), " has no $.smoke: add a source of it.")};
+    if (vdb.grids.pressure && backend.kind != cases::BackendKind::cpu)
+        return Error{"the pressure grid needs the CPU: drop --backend, or the grid."};
+    if (vdb.format == scene::VdbFormat::nanovdb && !built_with_nanovdb())
+        return Error{"--nanovdb: this windrow was built without NanoVDB: install libnanovdb-dev and build again."};
+    return {};
 }
 
 Result<Frames> frames_of(const FilmRequest& request, const scene::Scene& scene) {

@@ -16,6 +16,10 @@ struct FilmRequest {
     std::optional<double> frames_per_second; ///< default: the scene's
     std::optional<double> from, to;          ///< [s] default: 0, and the scene's duration
     std::int64_t first_frame = 0;            ///< number of the first frame that is kept
+    scene::VdbGrids grids{};                 ///< beside those of the scene
+    bool nanovdb = false;
+    std::optional<double> margin;     ///< [m] default: the scene's
+    std::optional<double> voxel_size; ///< [m] default: the scene's
 };
 
 /// The frames of one run.
@@ -27,10 +31,12 @@ struct Frames {
 
 /// Adds the flags; the request outlives the parsing.
 void add_film(Flags& flags, FilmRequest& request);
+/// Adds those of VDB files.
+void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request);
 /// Rejects flags that exclude each other.
 void check_film(const FilmRequest& request);
-/// Writes into the scene what was asked for.
-void apply(const FilmRequest& request, scene::Scene& scene);
+/// Writes into the scene what was asked for; rejects what it, the build or the backend cannot give.
+[[nodiscard]] Result<void> apply(const FilmRequest& request, const BackendRequest& backend, scene::Scene& scene);
 /// The frames of a scene that `apply` has changed; rejects none, and too many steps.
 [[nodiscard]] Result<Frames> frames_of(const FilmRequest& request, const scene::Scene& scene);
 

@@ -2,9 +2,8 @@
 
 #include "fluid/message.h"
 #include "scene/number_text.h"
-
 #if WINDROW_WITH_VDB
-#include "fluid/vdb/vdb_export.h"
+#include "cli/vdb_frames.h"
 #endif
 
 #include <algorithm>
@@ -12,6 +11,11 @@
 #include <string_view>
 
 namespace windrow::cli {
+
+#if !WINDROW_WITH_VDB
+class VdbFrames {};
+#endif
+
 namespace {
 
 using detail::message;
@@ -58,14 +62,29 @@ Fault fault_of(const Result<void>& drawn) {
 
 } // namespace
 
-FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames)
+FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames,
+                         [[maybe_unused]] const ParallelFor& parallel_for)
     : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), first_(frames.first),
       last_(frames.first + frames.count - 1), digits_(4) {
     for (std::int64_t limit = 10'000; limit <= last_; limit *= 10)
         ++digits_;
+#if WINDROW_WITH_VDB
+    if (vdb_)
+        vdb_frames_ = std::make_unique<VdbFrames>(scene, folder_, digits_, parallel_for);
+#endif
 }
 
-Fault FrameWriter::write(const Playback& playback, std::int64_t n) {
+FrameWriter::~FrameWriter() = default;
+
+Fault FrameWriter::follow([[maybe_unused]] const Playback& playback, [[maybe_unused]] double dt) {
+#if WINDROW_WITH_VDB
+    if (vdb_frames_)
+        return vdb_frames_->follow(playback, dt);
+#endif
+    return {};
+}
+
+Fault FrameWriter::write(Playback& playback, std::int64_t n) {
     const std::int64_t frame = first_ + n;
     if (images_)
         if (auto fault = write_picture(playback, frame))
@@ -132,23 +151,13 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
     return {};
 }
 
-Fault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
+Fault FrameWriter::write_vdb([[maybe_unused]] Playback& playback, [[maybe_unused]] std::int64_t frame) {
 #if WINDROW_WITH_VDB
     const auto begin = Clock::now();
-    const scene::VdbSetting& setting = scene_->vdb;
-    const vdb::Sequence sequence{
-        .folder = folder_,
-        .prefix = "vel_",
-        .digits = digits_,
-        .options = {.name = setting.name,
-                    .form = setting.three_scalars ? vdb::Form::three_scalars : vdb::Form::one_vector,
-                    .precision = setting.precision == scene::VdbPrecision::half ? vdb::Precision::half : vdb::Precision::full,
-                    .up = setting.up == scene::VdbUp::z ? vdb::UpAxis::z : vdb::UpAxis::y}};
-    const auto written = sequence.write(vdb::grid_of(playback.wind()), static_cast<int>(frame), playback.time());
+    const Fault fault = vdb_frames_->write(playback, frame);
     vdb_seconds_ += seconds_since(begin);
-    if (!written)
-        return {written.error(),
-                written.problem() == vdb::Problem::disk_full || written.problem() == vdb::Problem::out_of_memory};
+    if (fault)
+        return fault;
     ++vdbs_;
 #endif
     return {};
@@ -180,7 +189,9 @@ std::size_t FrameWriter::older_files() const {
     for (auto entry = std::filesystem::directory_iterator(folder_, fault);
          !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
         const std::string name = entry->path().filename().string();
-        for (const auto& [kept, prefix, suffix] : {std::tuple{images_, "frame_", ".png"}, std::tuple{vdb_, "vel_", ".vdb"}}) {
+        for (const auto& [kept, prefix, suffix] :
+             {std::tuple{images_, "frame_", ".png"},
+              std::tuple{vdb_, "vel_", scene_->vdb.format == scene::VdbFormat::nanovdb ? ".nvdb" : ".vdb"}}) {
             if (!kept || !name.starts_with(prefix) || !name.ends_with(suffix))
                 continue;
             const std::size_t begin = std::string_view(prefix).size();

@@ -8,19 +8,28 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace windrow::cli {
 
+class VdbFrames;
+
 class FrameWriter {
   public:
     /// `folder` stands. The numbers of frames get as many digits as the last one needs, at least four.
-    FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames);
+    FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames,
+                const ParallelFor& parallel_for);
+    ~FrameWriter();
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
 
     /// Writes frame_0000.png and vel_0000.vdb of the n-th frame from 0, whole or not at all.
-    [[nodiscard]] Fault write(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] Fault write(Playback& playback, std::int64_t n);
+    /// After each step of dt [s]: what a frame shows of the way here.
+    [[nodiscard]] Fault follow(const Playback& playback, double dt);
     /// Writes contact_sheet.png of the pictures so far, twelve at most, evenly spread.
     [[nodiscard]] Fault write_contact_sheet();
 
@@ -36,7 +45,7 @@ class FrameWriter {
 
   private:
     [[nodiscard]] Fault write_picture(const Playback& playback, std::int64_t frame);
-    [[nodiscard]] Fault write_vdb(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] Fault write_vdb(Playback& playback, std::int64_t frame);
     [[nodiscard]] std::string numbered(const char* prefix, std::int64_t frame, const char* suffix) const;
 
     const scene::Scene* scene_;
@@ -51,6 +60,7 @@ class FrameWriter {
     bool contact_sheet_ = false;
     double picture_seconds_ = 0.0;
     double vdb_seconds_ = 0.0;
+    std::unique_ptr<VdbFrames> vdb_frames_; ///< null: none are written
 };
 
 } // namespace windrow::cli

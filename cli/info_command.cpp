@@ -4,6 +4,9 @@
 #include "fluid/message.h"
 #include "fluid/simd.h"
 #include "windrow_commit.h" // made by commit.cmake
+#if WINDROW_WITH_VDB
+#include "fluid/vdb/vdb_export.h"
+#endif
 
 #include <algorithm>
 #include <fstream>
@@ -33,6 +36,13 @@ std::string commit_name() {
 bool built_with_vdb() {
     return WINDROW_WITH_VDB != 0;
 }
+bool built_with_nanovdb() {
+#if WINDROW_WITH_VDB
+    return vdb::has_nanovdb();
+#else
+    return false;
+#endif
+}
 bool built_with_images() {
     return WINDROW_WITH_IMAGES != 0;
 }
@@ -44,6 +54,7 @@ int run_info(const Console& console) {
                 << "  SIMD level  " << name_of(Simd::best) << "\n"
                 << "  cores       " << usable_cores() << "\n"
                 << "  OpenVDB     " << yes(built_with_vdb()) << "\n"
+                << "  NanoVDB     " << yes(built_with_nanovdb()) << "\n"
                 << "  pictures    " << yes(built_with_images()) << "\n";
     const char* head = "  Vulkan      ";
     for (const std::string& line : vulkan_lines()) {

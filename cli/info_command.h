@@ -19,6 +19,7 @@ namespace windrow::cli {
 [[nodiscard]] std::string commit_name();
 /// Whether the command was built with these parts (CMake options WINDROW_VDB and WINDROW_IMAGES).
 [[nodiscard]] bool built_with_vdb();
+[[nodiscard]] bool built_with_nanovdb();
 [[nodiscard]] bool built_with_images();
 
 /// Prints all of it and the machine's devices. Returns the exit code.

@@ -24,6 +24,7 @@ class Playback {
     [[nodiscard]] double time() const { return time_; }
     [[nodiscard]] std::int64_t steps() const { return steps_; }
     [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
+    [[nodiscard]] cases::BackendWind& wind() { return *wind_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
 
     using ActingMotor = scene::SceneMotion::ActingMotor;

@@ -49,7 +49,7 @@ bool check_parts(const RunRequest& request, const Console& console) {
 
 /// A box that does not fit would otherwise end with the system killing some process, maybe not this one.
 bool check_memory(const scene::Scene& scene, const Console& console) {
-    constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame on its way out
+    constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame of the cells on its way out
     const glm::ivec3 cells = scene.air.cells;
     const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
                                  static_cast<std::uint64_t>(cells.z);
@@ -93,6 +93,8 @@ struct SceneRun {
                                          " m/s): this is a fault of windrow, report it with the scene."));
                 return k_exit_out_of_bounds;
             }
+            if (const auto fault = writer.follow(playback, frames.times.length_of_step(playback.steps())))
+                return complain_of(fault, console);
         }
         return k_exit_well;
     }
@@ -119,6 +121,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     flags.backend(request->backend);
     run->add_flag("--images", request->images, "Keep frame_0000.png ... and contact_sheet.png");
     run->add_flag("--vdb", request->vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
+    add_vdb(flags, *run, request->film);
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
@@ -136,7 +139,10 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         return k_exit_wrong_use;
     }
     scene->air.simd = request.simd;
-    apply(request.film, *scene);
+    if (const auto applied = apply(request.film, request.backend, *scene); !applied) {
+        console.complain(applied.error());
+        return k_exit_wrong_use;
+    }
     if (!check_memory(*scene, console))
         return k_exit_machine;
     const auto frames = frames_of(request.film, *scene);
@@ -167,7 +173,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .console = console,
                  .folder = folder,
                  .frames = *frames,
-                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, *frames),
+                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, *frames, pool->parallel_for()),
                  .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
                  .timings = {}};
     if (run.csv)

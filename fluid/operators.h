@@ -134,8 +134,9 @@ WINDROW_API Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm
 /// Allocates the memory of implicit diffusion, so that no later call allocates.
 [[nodiscard]] WINDROW_API Result<void> reserve_diffusion(Workspace& work);
 
-/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open boundary it is that
-/// of the cell inside.
+/// [1/s] Central divergence at cell centres, as the projection sees it. Beyond a wall the normal velocity turns its sign; beyond an
+/// open boundary it is that of the cell inside. A face that an obstacle closes passes what the obstacle's own motion does; cells
+/// inside have 0.
 WINDROW_API void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
 /// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open boundaries and

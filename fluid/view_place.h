@@ -26,7 +26,15 @@ struct ViewPlace {
                                                   const AmbientWind& ambient, glm::dvec3 position);
 
 /// [m/s] Wind at a place among eight cells, x fastest.
-[[nodiscard]] glm::vec3 blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners);
+[[nodiscard]] WINDROW_INTERNAL glm::vec3 blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners);
+
+/// Trilinear between the cells around a place, with `cell(i, j, k)` the value of a cell. Not for a fraction of 0.
+template <class Cell>
+[[nodiscard]] auto between_cells(const ViewPlace& place, const Cell& cell) {
+    const auto line = [&](int j, int k) { return glm::mix(cell(place.low.x, j, k), cell(place.high.x, j, k), place.between.x); };
+    const auto plane = [&](int k) { return glm::mix(line(place.low.y, k), line(place.high.y, k), place.between.y); };
+    return glm::mix(plane(place.low.z), plane(place.high.z), place.between.z);
+}
 
 /// [m/s] Wind at a place, with `cell(i, j, k)` the velocity of a cell.
 template <class Cell>

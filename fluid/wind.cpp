@@ -7,6 +7,16 @@
 #include <utility>
 
 namespace windrow {
+namespace {
+
+Result<void> check_room(const char* call, std::size_t values, const Box& box) {
+    if (values == box.cell_count())
+        return {};
+    return Error{detail::message(call, " got room for ", values, " cells, but the box has ", box.cell_count(),
+                                 ": give one array of box().cell_count().")};
+}
+
+} // namespace
 
 Result<void> validate(const Config& config) {
     return detail::validate_settings(config);
@@ -109,9 +119,8 @@ FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const 
 }
 
 Result<void> Wind::write_obstacles(std::span<float> cells) const {
-    if (cells.size() != box().cell_count())
-        return Error{detail::message("write_obstacles got room for ", cells.size(), " cells, but the box has ",
-                                     box().cell_count(), ": give one array of box().cell_count().")};
+    if (auto fits = check_room("write_obstacles", cells.size(), box()); !fits)
+        return fits;
     const WindCore& core = state_->core;
     if (!core.sleep.asleep() || !core.obstacles.changed()) {
         state_->cells.write_obstacles(cells);
@@ -124,6 +133,15 @@ Result<void> Wind::write_obstacles(std::span<float> cells) const {
         std::fill(cells.begin(), cells.end(), 0.0f);
         for (const cpu::Solids::InsideCell& cell : found.inside())
             cells[cell.cell] = 1.0f;
+        return {};
+    });
+}
+
+Result<void> Wind::write_pressure(std::span<float> cells) {
+    if (auto fits = check_room("write_pressure", cells.size(), box()); !fits)
+        return fits;
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        state_->cells.write_pressure(cells);
         return {};
     });
 }

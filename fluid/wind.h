@@ -296,6 +296,11 @@ class WINDROW_API Wind {
     /// 1 for each cell whose centre is inside an obstacle, else 0, as of the last step; box().cell_count() values or the call is
     /// rejected. A plate has no inside. Where set_floor has moved a box with rows of its own, 0 until the next step.
     Result<void> write_obstacles(std::span<float> cells) const;
+    /// [m^2/s^2] Pressure over the air's density (1.2 kg/m^3) at the end of the last step, relative to that outside of the box, or
+    /// to its mean where no boundary is open; box().cell_count() values or the call is rejected. 0 in still air, before the first
+    /// step and with Scheme::stable_fluids. Without that of volume sources. Solves once, in the scratch of the step: no other call
+    /// may read this wind meanwhile. Allocates a field.
+    Result<void> write_pressure(std::span<float> cells);
     /// Position of the textures relative to `anchor` [m] (one that is not finite counts as 0), now and in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
     /// The same with the ambient wind: all inputs of shaders/coupling/windrow_wind.glsl beside the textures.

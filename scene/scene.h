@@ -22,12 +22,15 @@ namespace windrow {
 namespace scene {
 enum class VdbPrecision : std::uint8_t { full, half };
 enum class VdbUp : std::uint8_t { y, z };
+enum class VdbFormat : std::uint8_t { openvdb, nanovdb };
 enum class FlowMarks : std::uint8_t { arrows, streamlines };
 } // namespace scene
 template <>
 inline constexpr std::array<const char*, 2> k_words<scene::VdbPrecision>{"full", "half"};
 template <>
 inline constexpr std::array<const char*, 2> k_words<scene::VdbUp>{"y", "z"};
+template <>
+inline constexpr std::array<const char*, 2> k_words<scene::VdbFormat>{"openvdb", "nanovdb"};
 template <>
 inline constexpr std::array<const char*, 2> k_words<scene::FlowMarks>{"arrows", "streamlines"};
 } // namespace windrow
@@ -94,12 +97,52 @@ struct PicturesSetting {
     }
 };
 
-/// What windrow::vdb::Options takes; kept apart so that scenes are read, and checked, without OpenVDB too.
+/// Grids of a VDB file beside the velocity.
+struct VdbGrids {
+    bool speed = false;
+    bool vorticity = false;
+    bool divergence = false;
+    bool pressure = false;
+    bool density = false;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("speed", &VdbGrids::speed, "Speed [m/s], a scalar that volume shaders draw."),
+            Setting("vorticity", &VdbGrids::vorticity, "Curl of the velocity [1/s], a vector."),
+            Setting("divergence", &VdbGrids::divergence,
+                    "Divergence of the solver's cells [1/s], as its projection sees it: what that leaves, and volume sources."),
+            Setting("pressure", &VdbGrids::pressure,
+                    "Pressure over the density of air [m^2/s^2], relative to that outside of the box. On the CPU alone."),
+            Setting("density", &VdbGrids::density, "Density of smoke, 0 to 1, that the wind carries; needs smoke."),
+        };
+    }
+    [[nodiscard]] bool any() const { return speed || vorticity || divergence || pressure || density; }
+};
+
+/// Box of the world that VDB files cover.
+struct VdbBox {
+    glm::dvec3 centre{0.0};
+    glm::vec3 size{32.0f, 16.0f, 32.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("centre", &VdbBox::centre, k_world_range, "Its middle."),
+            Setting("size", &VdbBox::size, Range{.min = 0.0, .max = 1e6, .unit = "m", .above_min = true}, "Its edges."),
+        };
+    }
+};
+
+/// What windrow::vdb::Options and FilmSettings take; kept apart so that scenes are read, and checked, without OpenVDB too.
 struct VdbSetting {
     std::string name = "vel";
     bool three_scalars = false;
     VdbPrecision precision = VdbPrecision::full;
     VdbUp up = VdbUp::y;
+    VdbFormat format = VdbFormat::openvdb;
+    VdbGrids grids{};
+    double margin = 0.0;
+    std::optional<VdbBox> box{};
+    float voxel_size = 0.0f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -108,8 +151,26 @@ struct VdbSetting {
                     "Three grids name.x, name.y, name.z instead of one grid of vectors."),
             Setting("precision", &VdbSetting::precision, "full: 32 bits, the solver's values. half: 16 bits, half the disk."),
             Setting("up", &VdbSetting::up, "The axis that points up. y: as in the scene and in Houdini. z: as in Blender."),
+            Setting("format", &VdbSetting::format, "openvdb: .vdb. nanovdb: .nvdb, 32 bits and not compressed."),
+            Setting("grids", &VdbSetting::grids, "Grids beside the velocity. Default: none."),
+            Setting("margin", &VdbSetting::margin, {0.0, 1e5, "m"},
+                    "How far a file reaches beyond the box of air, on each side without a wall below. There it holds the ambient "
+                    "wind at each point. With 0, and without box, voxel_size and grids, it holds the cells to the bit."),
+            Setting("box", &VdbSetting::box,
+                    "Box of the world that a file covers, wherever the box of air is. Default: by margin."),
+            Setting("voxel_size", &VdbSetting::voxel_size, {.min = 0.0, .max = 1e6, .unit = "m", .zero = "that of the cells"},
+                    "Edge of a voxel. Smaller ones follow a log profile near the ground, larger ones make a wide margin cheap."),
         };
     }
+};
+
+/// A source of smoke, which the wind carries and which does not act on it.
+struct SceneSmoke {
+    glm::dvec3 position{0.0};        ///< [m] where it has no path
+    std::optional<std::size_t> path; ///< index in Scene::paths
+    float radius = 1.0f;             ///< [m] density is 1 within it
+    double from = 0.0;               ///< [s] at the ends of steps in [from, until)
+    double until = std::numeric_limits<double>::infinity();
 };
 
 struct Scene {
@@ -127,6 +188,7 @@ struct Scene {
     std::variant<double, std::size_t> floor = 0.0;
     std::vector<SceneMotor> motors;
     std::vector<SceneObstacle> obstacles;
+    std::vector<SceneSmoke> smoke;
     PicturesSetting pictures;
     VdbSetting vdb;
 

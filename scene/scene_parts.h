@@ -26,6 +26,8 @@ struct ReadAir {
 [[nodiscard]] std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names,
                                                         const std::filesystem::path& folder);
 
+[[nodiscard]] std::vector<SceneSmoke> read_smoke(JsonObject& scene, std::span<const std::string> path_names);
+
 /// `from` and `until` [s] of something that acts for a time; `what` is its name for sentences.
 void read_times(JsonObject& object, const char* what, double& from, double& until);
 

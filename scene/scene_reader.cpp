@@ -143,6 +143,9 @@ void read_outputs(JsonObject& object, Scene& scene) {
             return false;
         }
     });
+    if (scene.vdb.grids.density && scene.smoke.empty())
+        vdb.reject("grids", "asks for density, and no smoke makes any: add $.smoke, or remove it.");
+    vdb.not_both("margin", "box");
     vdb.finish();
 }
 
@@ -186,6 +189,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     read_floor(object, scene, names);
     scene.motors = read_motors(object, names);
     scene.obstacles = read_obstacles(object, names, file.parent_path());
+    scene.smoke = read_smoke(object, names);
     read_outputs(object, scene);
     // Other data of a renderer (read by windrow-draw); the air does not use it.
     (void)object.object(

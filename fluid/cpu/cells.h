@@ -84,6 +84,8 @@ class Cells final : public CellStorage {
     [[nodiscard]] WINDROW_INTERNAL SurfaceHistory surface_history() const;
     /// 1 for cells inside obstacles, else 0.
     void write_obstacles(std::span<float> cells) const;
+    /// [m^2/s^2] The pressure whose gradient the history holds. Throws std::bad_alloc.
+    void write_pressure(std::span<float> result);
     /// Of cells without obstacles: the next step places them.
     void set_surface_history(SurfaceHistory&& history);
 

@@ -145,6 +145,21 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
     loads.add(work.state().solid_flow(), work.state().potential.data(), has_history ? guess_scale : 0.0f, note.weight, note.kept);
 }
 
+// q = (dt/2) grad p is the gradient of some phi around bodies at rest; the projection finds that phi.
+void Cells::write_pressure(std::span<float> result) {
+    std::fill(result.begin(), result.end(), 0.0f);
+    if (air.fresh || !(air.dt_old > 0.0f))
+        return;
+    Buffer<glm::vec4> gradient(air.history.size());
+    std::copy_n(air.history.data(), air.history.size(), gradient.data());
+    Workspace::State& state = work.state();
+    Workspace::State::SolidSolve at_rest{.bodies_move = false, .solves = k_first_solves, .tolerance = k_first_residual};
+    state.project(gradient, {}, {}, nullptr, &at_rest);
+    state.copy_potential(result, 2.0f * box().cell_size / air.dt_old);
+    for (const Solids::InsideCell& cell : inside_bodies())
+        result[cell.cell] = 0.0f;
+}
+
 void Cells::seal_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
     report.sealed_sources = 0;
     const std::span<float> expansion = sources.expansion();

@@ -94,11 +94,17 @@ auto dense_rows(const Workspace::State& state, std::span<T> field) {
 
 } // namespace
 
+void Workspace::State::copy_potential(std::span<float> field, float factor) {
+    copy_rows(*this, padded_rows(*this), dense_rows(*this, field), factor);
+}
+
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result) {
     Workspace::State& state = work.state();
     assert(velocity.size() == state.box.cell_count() && result.size() == velocity.size());
     state.divergence_to_potential(cpu::floats(velocity), 0.5f / state.box.cell_size);
-    copy_rows(state, padded_rows(state), dense_rows(state, result), 1.0f);
+    state.copy_potential(result, 1.0f);
+    if (state.has_solids())
+        state.solid_flow().find_divergence(velocity, state.residual_terms, result);
 }
 
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
@@ -106,7 +112,7 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
     assert(rhs_then_phi.size() == state.box.cell_count());
     copy_rows(state, dense_rows(state, rhs_then_phi), padded_rows(state), state.box.cell_size * state.box.cell_size);
     state.pressure.solve(state.potential.data(), state.scratch.data(), state.parallel_for);
-    copy_rows(state, padded_rows(state), dense_rows(state, rhs_then_phi), 1.0f);
+    state.copy_potential(rhs_then_phi, 1.0f);
 }
 
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient, std::span<const float> expansion) {

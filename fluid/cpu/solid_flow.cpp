@@ -206,8 +206,7 @@ float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const S
     return sum;
 }
 
-double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
-                                     std::span<float> flux) const {
+void SolidFlow::find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const {
     std::fill(flux.begin(), flux.end(), 0.0f);
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const float passed =
@@ -215,6 +214,20 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
         flux[face.surface[0]] -= scales.cell[0] * passed;
         flux[face.surface[1]] += scales.cell[1] * passed;
     });
+}
+
+void SolidFlow::find_divergence(std::span<const glm::vec4> velocity, std::span<float> flux, std::span<float> divergence) const {
+    find_flux(velocity, flux);
+    const std::span<const Solids::SurfaceCell> cells = solids_.surface();
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        divergence[cells[n].cell] = (central_divergence(velocity, cells[n]) + flux[n]) / box_.cell_size;
+    for (const Solids::InsideCell& cell : solids_.inside())
+        divergence[cell.cell] = 0.0f;
+}
+
+double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
+                                     std::span<float> flux) const {
+    find_flux(velocity, flux);
     double found = 0.0;
     const std::span<const Solids::SurfaceCell> cells = solids_.surface();
     const float scale = 1.0f / box_.cell_size;

@@ -66,6 +66,8 @@ class SolidFlow {
     /// implicit in each cell, and ghost cells take the air's values, so that they exchange nothing with it.
     void drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const;
 
+    /// Writes the divergence [1/s] of surface cells and of cells inside, which is 0. `flux`: scratch, one a surface cell.
+    void find_divergence(std::span<const glm::vec4> velocity, std::span<float> flux, std::span<float> divergence) const;
     /// Squares of the divergence [1/s] that surface cells have beyond those of the empty box: a correction of a sum over all cells.
     /// `flux` is scratch, one a surface cell.
     [[nodiscard]] double correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
@@ -82,6 +84,8 @@ class SolidFlow {
     [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& given, std::uint32_t cell) const;
     [[nodiscard]] float blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
+    /// What closed faces take from the sums of central_divergence, one a surface cell.
+    void find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const;
     template <class Across, std::size_t Count>
     void extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across) const;
 

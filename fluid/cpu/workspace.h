@@ -76,6 +76,8 @@ struct WINDROW_HIDDEN Workspace::State {
     [[nodiscard]] cpu::DivergenceTask divergence_task(const float* velocity, float scale) const;
     /// Central divergence into `potential`, times `scale`.
     void divergence_to_potential(const float* velocity, float scale);
+    /// field = factor * potential.
+    void copy_potential(std::span<float> field, float factor);
     /// potential -= factor * field.
     void subtract_from_potential(std::span<const float> field, float factor);
     /// Output of a projection: field = weight grad phi + kept field.

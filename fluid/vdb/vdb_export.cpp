@@ -12,6 +12,8 @@
 
 #include "fluid/message.h"
 #include "fluid/new_file.h"
+#include "fluid/vdb/even_grid.h"
+#include "fluid/vdb/grid_rules.h"
 #include "fluid/version.h"
 
 #include <algorithm>
@@ -20,7 +22,12 @@
 #include <glm/common.hpp>
 #include <new>
 #include <openvdb/openvdb.h>
+#if WINDROW_WITH_NANOVDB
+#include <nanovdb/util/IO.h>
+#include <nanovdb/util/OpenToNanoVDB.h>
+#endif
 #include <ostream>
+#include <sstream>
 #include <string_view>
 
 namespace windrow::vdb {
@@ -30,79 +37,6 @@ namespace {
 using windrow::detail::message;
 using windrow::detail::NewFile;
 using windrow::detail::Reasons;
-
-constexpr float k_largest_half = 65504.0f;
-
-// --- What is rejected -------------------------------------------------------------------------------------------------
-
-bool is_plain_name(const std::string& name) {
-    return std::none_of(name.begin(), name.end(),
-                        [](char letter) { return letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; });
-}
-
-bool is_finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-void check_field(const VelocityGrid& grid, const Options& options, Reasons& reasons) {
-    std::size_t not_finite = 0;
-    std::size_t first = 0;
-    float largest = std::max({std::abs(grid.outside.x), std::abs(grid.outside.y), std::abs(grid.outside.z)});
-    for (std::size_t index = 0; index < grid.field.size(); ++index) {
-        const glm::vec3 value(grid.field[index]);
-        if (is_finite(value))
-            largest = std::max({largest, std::abs(value.x), std::abs(value.y), std::abs(value.z)});
-        else if (not_finite++ == 0)
-            first = index;
-    }
-    if (not_finite != 0) {
-        const std::size_t row = static_cast<std::size_t>(grid.cells.x);
-        const std::size_t slice = row * static_cast<std::size_t>(grid.cells.y);
-        const glm::ivec3 cell(first % row, first % slice / row, first / slice);
-        reasons.add("field holds NaN or infinity in ", not_finite, " cells, the first ", cell,
-                    ": give finite values (Wind::step sets such cells to ambient).");
-    }
-    if (options.precision == Precision::half && largest > k_largest_half)
-        reasons.add("precision is half and the wind reaches ", largest, " m/s: half ends at ", k_largest_half,
-                    ", write it with Precision::full.");
-}
-
-Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
-    Reasons reasons;
-    if (!file.has_filename())
-        reasons.add("file is \"", file.string(), "\": end it in a file name, such as wind.vdb.");
-    if (options.name.empty() || !is_plain_name(options.name))
-        reasons.add("name is \"", options.name, "\": name the grid, without '/' and control characters, such as vel.");
-    if (options.form > Form::three_scalars)
-        reasons.add("form is ", static_cast<int>(options.form), ": give one_vector or three_scalars.");
-    if (options.precision > Precision::half)
-        reasons.add("precision is ", static_cast<int>(options.precision), ": give full or half.");
-    if (options.up > UpAxis::z)
-        reasons.add("up is ", static_cast<int>(options.up), ": give y or z.");
-    if (!std::isfinite(options.time))
-        reasons.add("time is ", options.time, " s: give a finite time.");
-    if (!is_finite(grid.origin))
-        reasons.add("origin is ", grid.origin, " m: give finite coordinates.");
-    if (options.name == k_obstacle_grid)
-        reasons.add("name is \"", k_obstacle_grid, "\", the grid of the cells inside obstacles: give another, such as vel.");
-    if (!is_finite(grid.outside))
-        reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
-    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}, .rows = grid.rows};
-    if (auto valid = validate(box); !valid)
-        reasons.add(valid.error());
-    else if (grid.field.size() != box.cell_count())
-        reasons.add("field holds ", grid.field.size(), " values and cells is ", grid.cells, ", ", box.cell_count(),
-                    " in all: give one value a cell.");
-    else
-        check_field(grid, options, reasons);
-    if (!grid.obstacle.empty() && grid.obstacle.size() != grid.field.size())
-        reasons.add("obstacle holds ", grid.obstacle.size(), " values and field ", grid.field.size(), ": give as many, or none.");
-    if (!std::all_of(grid.obstacle.begin(), grid.obstacle.end(), [](float value) { return value >= 0.0f && value <= 1.0f; }))
-        reasons.add("obstacle holds values beyond 0 to 1: give 1 inside obstacles and 0 in the air.");
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
-}
 
 // --- From cells to voxels --------------------------------------------------------------------------------------------
 
@@ -118,41 +52,6 @@ glm::ivec3 voxels_of(const glm::ivec3& cells, UpAxis up) {
 
 glm::ivec3 cell_at(const glm::ivec3& voxel, const glm::ivec3& cells, UpAxis up) {
     return up == UpAxis::y ? voxel : glm::ivec3(voxel.x, voxel.z, cells.z - 1 - voxel.y);
-}
-
-/// Cells that are resampled to voxels of one size; the grid itself where its rows are equal.
-struct Resampled {
-    VelocityGrid grid;
-    double thickness = 0.0; ///< [m] of a voxel along y
-    std::vector<glm::vec4> field{};
-};
-
-Resampled resampled(const VelocityGrid& source) {
-    Resampled even{.grid = source, .thickness = static_cast<double>(source.cell_size)};
-    if (!source.rows)
-        return even;
-    const RowTable& rows = *source.rows;
-    const int count = static_cast<int>(std::clamp(std::ceil(rows.top() / rows.step() - 1e-6), 1.0, double{k_max_axis_cells}));
-    even.thickness = std::max(rows.step(), rows.top() / count);
-    even.grid.rows.reset();
-    even.grid.cells.y = count;
-    const Box from{.cells = source.cells}, to{.cells = even.grid.cells};
-    even.field.resize(to.cell_count());
-    even.grid.obstacle.resize(source.obstacle.empty() ? 0 : to.cell_count());
-    for (int k = 0; k < to.cells.z; ++k)
-        for (int j = 0; j < count; ++j) {
-            const double place = std::clamp(rows.place((j + 0.5) * even.thickness) - 0.5, 0.0, rows.count() - 1.0);
-            const int below = std::min(static_cast<int>(place), rows.count() - 2), nearest = static_cast<int>(place + 0.5);
-            const auto part = static_cast<float>(place - below);
-            for (int i = 0; i < to.cells.x; ++i) {
-                const glm::vec4 low = source.field[from.index(i, below, k)], high = source.field[from.index(i, below + 1, k)];
-                even.field[to.index(i, j, k)] = low + part * (high - low);
-                if (!source.obstacle.empty())
-                    even.grid.obstacle[to.index(i, j, k)] = source.obstacle[from.index(i, nearest, k)];
-            }
-        }
-    even.grid.field = even.field;
-    return even;
 }
 
 openvdb::math::Transform::Ptr transform_of(const VelocityGrid& grid, double thickness, UpAxis up) {
@@ -202,42 +101,62 @@ openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, double thickness, 
     return grid;
 }
 
-openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) {
-    const Resampled even = resampled(given);
-    const VelocityGrid& source = even.grid;
-    openvdb::GridPtrVec grids;
-    const glm::vec3 outside = turned(source.outside, options.up);
-    const auto velocity = [&](std::size_t cell) { return turned(glm::vec3(source.field[cell]), options.up); };
-    if (options.form == Form::one_vector) {
-        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, even.thickness, options, {outside.x, outside.y, outside.z},
-                                                       [&](std::size_t cell) {
-                                                           const glm::vec3 v = velocity(cell);
-                                                           return openvdb::Vec3s(v.x, v.y, v.z);
-                                                       }));
-        // A velocity turns with the object that it belongs to, and does not move with it.
-        grids.back()->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
-        grids.back()->setName(options.name);
-    } else {
-        for (int axis = 0; axis < 3; ++axis) {
-            grids.push_back(dense_grid<openvdb::FloatGrid>(source, even.thickness, options, outside[axis],
-                                                           [&](std::size_t cell) { return velocity(cell)[axis]; }));
-            grids.back()->setName(options.name + '.' + "xyz"[axis]);
-        }
-    }
-    if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; })) {
-        grids.push_back(dense_grid<openvdb::FloatGrid>(source, even.thickness, options, 0.0f,
-                                                       [&](std::size_t cell) { return source.obstacle[cell]; }));
-        grids.back()->setName(k_obstacle_grid);
-    }
-    for (const auto& grid : grids) {
+struct GridList {
+    const VelocityGrid& source;
+    double thickness;
+    const Options& options;
+    openvdb::GridPtrVec grids{};
+
+    void add(openvdb::GridBase::Ptr grid, const std::string& name, const std::string& units) {
+        grid->setName(name);
         grid->setCreator("windrow " WINDROW_VERSION_STRING);
         grid->setSaveFloatAsHalf(options.precision == Precision::half);
         grid->insertMeta("windrow_time", openvdb::DoubleMetadata(options.time));
         grid->insertMeta("windrow_frame", openvdb::Int32Metadata(options.frame));
-        grid->insertMeta("windrow_units", openvdb::StringMetadata("velocity m/s, length m, time s"));
+        grid->insertMeta("windrow_units", openvdb::StringMetadata(units + ", length m, time s"));
         grid->insertMeta("windrow_up_axis", openvdb::StringMetadata(options.up == UpAxis::y ? "y" : "z"));
+        grids.push_back(std::move(grid));
     }
-    return grids;
+
+    void add_scalar(std::span<const float> values, const std::string& name, const std::string& units) {
+        add(dense_grid<openvdb::FloatGrid>(source, thickness, options, 0.0f, [&](std::size_t cell) { return values[cell]; }),
+            name, units);
+    }
+
+    void add_vector(std::span<const glm::vec4> values, const glm::vec3& beyond, const std::string& name,
+                    const std::string& units) {
+        const glm::vec3 outside = turned(beyond, options.up);
+        const auto value = [&](std::size_t cell) { return turned(glm::vec3(values[cell]), options.up); };
+        if (options.form == Form::three_scalars) {
+            for (int axis = 0; axis < 3; ++axis)
+                add(dense_grid<openvdb::FloatGrid>(source, thickness, options, outside[axis],
+                                                   [&](std::size_t cell) { return value(cell)[axis]; }),
+                    name + '.' + "xyz"[axis], units);
+            return;
+        }
+        auto grid =
+            dense_grid<openvdb::Vec3SGrid>(source, thickness, options, {outside.x, outside.y, outside.z}, [&](std::size_t cell) {
+                const glm::vec3 v = value(cell);
+                return openvdb::Vec3s(v.x, v.y, v.z);
+            });
+        // A velocity turns with the object that it belongs to, and does not move with it.
+        grid->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
+        add(std::move(grid), name, units);
+    }
+};
+
+openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) {
+    const EvenGrid even = even_grid(given);
+    const VelocityGrid& source = even.grid;
+    GridList list{.source = source, .thickness = even.thickness, .options = options};
+    list.add_vector(source.field, source.outside, options.name, "velocity m/s");
+    if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; }))
+        list.add_scalar(source.obstacle, k_obstacle_grid, "obstacle 1");
+    for (const NamedVector& vector : source.vectors)
+        list.add_vector(vector.values, glm::vec3(0.0f), vector.name, vector.name + " " + vector.units);
+    for (const NamedScalar& scalar : source.scalars)
+        list.add_scalar(scalar.values, scalar.name, scalar.name + " " + scalar.units);
+    return std::move(list.grids);
 }
 
 /// io::File cannot tell a full disk, and io::Stream leaves out the table of grids, so that readers load a file whole to list it.
@@ -246,6 +165,21 @@ class SeekableArchive : public openvdb::io::Archive {
   public:
     using openvdb::io::Archive::write;
 };
+
+#if WINDROW_WITH_NANOVDB
+// NanoVDB writes a file's head last, and its own writer of files does not tell a full disk.
+void write_nanovdb(std::ostream& stream, const openvdb::GridPtrVec& grids) {
+    std::vector<nanovdb::GridHandle<nanovdb::HostBuffer>> handles;
+    for (const auto& grid : grids)
+        handles.push_back(nanovdb::openToNanoVDB(grid, nanovdb::StatsMode::All, nanovdb::ChecksumMode::Full));
+    std::ostringstream bytes;
+    nanovdb::io::writeGrids(bytes, handles, nanovdb::io::Codec::NONE);
+    const std::string_view written = bytes.view();
+    stream.write(written.data(), static_cast<std::streamsize>(written.size()));
+}
+#else
+void write_nanovdb(std::ostream&, const openvdb::GridPtrVec&) {}
+#endif
 
 // --- What went wrong -------------------------------------------------------------------------------------------------
 
@@ -290,6 +224,10 @@ WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
 
 } // namespace
 
+bool has_nanovdb() {
+    return WINDROW_WITH_NANOVDB != 0;
+}
+
 bool detail::make_obstacle_room(VelocityGrid& grid) {
     return windrow::detail::memory_lasts([&] { grid.obstacle.resize(grid.field.size()); });
 }
@@ -307,7 +245,11 @@ WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, c
             openvdb::initialize();
             std::ostream stream(&out);
             stream.exceptions(std::ios::failbit | std::ios::badbit);
-            SeekableArchive().write(stream, grids_of(grid, options), true);
+            const openvdb::GridPtrVec grids = grids_of(grid, options);
+            if (options.format == Format::nanovdb)
+                write_nanovdb(stream, grids);
+            else
+                SeekableArchive().write(stream, grids, true);
         } catch (const std::bad_alloc&) {
             throw;
         } catch (const std::exception& exception) {
@@ -329,7 +271,7 @@ std::filesystem::path Sequence::path(int frame) const {
     const auto width = static_cast<std::size_t>(std::max(digits, 1));
     if (number.size() < width)
         number.insert(0, width - number.size(), '0');
-    return folder / (prefix + number + ".vdb");
+    return folder / (prefix + number + (options.format == Format::nanovdb ? ".nvdb" : ".vdb"));
 }
 
 WriteResult Sequence::write(const VelocityGrid& grid, int frame, double time) const {

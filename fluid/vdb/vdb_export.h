@@ -25,6 +25,23 @@
 
 namespace windrow::vdb {
 
+/// A scalar to write as a grid of floats, with background 0.
+struct NamedScalar {
+    /// As Options::name; another name than all other grids of the file.
+    std::string name;
+    /// Stored as windrow_units: "1/s".
+    std::string units;
+    /// One finite value a cell, as VelocityGrid::field.
+    std::span<const float> values{};
+};
+
+/// The same of vectors, which Options::form and Options::up treat as the velocity; background 0.
+struct NamedVector {
+    std::string name;
+    std::string units;
+    std::span<const glm::vec4> values{};
+};
+
 /// The wind to write: a box of cells, in memory of the caller.
 struct VelocityGrid {
     /// Cells along x, y, z; the limits of Box::cells.
@@ -36,16 +53,21 @@ struct VelocityGrid {
     /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Rejected unless it is cells.x * cells.y *
     /// cells.z values, all finite: one NaN would spread through a reader's filters without a word.
     std::span<const glm::vec4> field{};
+    /// [m] Thickness of a cell along y, where all have one that is not cell_size. Default 0: cell_size.
+    float cell_height = 0.0f;
     /// Rows of the box; null: all are cell_size thick. A grid has voxels of one size: they are as thick as the lowest row (at most 2048
     /// of them), linear in height between the rows' centres.
     std::shared_ptr<const RowTable> rows{};
-    /// [m/s] Background value of the grid, which readers blend to within half a cell of the edge. Default 0; grid_of gives
-    /// ambient.
+    /// [m/s] Background value of the grid, which readers take outside of the cells and blend to within half a cell of the edge. One
+    /// value at all heights. Default 0; grid_of gives the ambient wind at the height of the box's middle, without gusts.
     glm::vec3 outside{0.0f};
     /// 1 inside obstacles, else 0, one value a cell as in `field`; written as k_obstacle_grid where some are not 0. Empty: none.
     std::vector<float> obstacle{};
     /// There was no memory for `obstacle`: rejected.
     bool lacks_obstacle = false;
+    /// Further grids over the same cells.
+    std::vector<NamedScalar> scalars{};
+    std::vector<NamedVector> vectors{};
 };
 
 /// Name of the grid of floats that is 1 inside obstacles and 0 in the air.
@@ -67,7 +89,10 @@ template <class Source>
         grid.rows = wind.box().rows;
     grid.origin = wind.origin();
     grid.field = wind.field();
-    grid.outside = wind.ambient();
+    if constexpr (requires { wind.view().ambient().without_gusts(); })
+        grid.outside = wind.view().ambient().without_gusts().velocity(wind.origin() + 0.5 * wind.view().window().size());
+    else
+        grid.outside = wind.ambient();
     if constexpr (requires { wind.write_obstacles(std::span<float>()); })
         if (wind.obstacles().count() > 0)
             grid.lacks_obstacle = !detail::make_obstacle_room(grid) || !wind.write_obstacles(grid.obstacle);
@@ -89,6 +114,14 @@ enum class UpAxis : std::uint8_t {
     z, ///< As in Blender: places and velocities (x, y, z) become (x, -z, y), a turn that keeps right-handed things right-handed.
 };
 
+enum class Format : std::uint8_t {
+    openvdb, ///< .vdb, compressed. The default.
+    nanovdb, ///< .nvdb, for renderers on a GPU: 32 bits, not compressed, without Windrow's own metadata. Where has_nanovdb().
+};
+
+/// Whether this build writes NanoVDB (Debian: libnanovdb-dev).
+[[nodiscard]] bool has_nanovdb();
+
 struct Options {
     /// Name of the grid, not empty, without '/' and control characters. Default "vel": Blender 3.4 takes velocity, vel and v for
     /// the velocity of a volume, Houdini's fluids call it vel.
@@ -100,6 +133,7 @@ struct Options {
     double time = 0.0;
     /// Number of the frame, any; stored as windrow_frame. Default 0.
     int frame = 0;
+    Format format = Format::openvdb;
 };
 
 enum class Problem : std::uint8_t {
@@ -127,7 +161,7 @@ class [[nodiscard]] WriteResult : public Result<void> {
 /// reason, one per line.
 WINDROW_API WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
 
-/// Names the frames of a sequence: folder / prefix 0001 .vdb, as Blender and Houdini ($F4) number theirs.
+/// Names the frames of a sequence: folder / prefix 0001 .vdb (.nvdb with Format::nanovdb), as Blender and Houdini ($F4) number theirs.
 ///
 ///     const windrow::vdb::Sequence sequence{.folder = "out", .options = {.up = windrow::vdb::UpAxis::z}};
 ///     sequence.write(windrow::vdb::grid_of(wind), frame, time);

@@ -1,0 +1,88 @@
+#include "fluid/tracer.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace windrow {
+
+Result<Tracer> Tracer::create(const WindView& air, const ParallelFor& parallel_for) {
+    auto work = Workspace::create({.box = air.box(), .ambient = air.ambient().mean(), .parallel_for = parallel_for});
+    if (!work)
+        return Error{work.error()};
+    return detail::where_memory_lasts([&]() -> Result<Tracer> { return Tracer(air, *std::move(work)); });
+}
+
+Tracer::Tracer(const WindView& air, Workspace work)
+    : work_(std::move(work)), window_(air.window()), cells_(air.box().cell_count(), 0.0f), carried_(cells_.size()) {
+    window_.rows = work_.box().rows.get();
+}
+
+// Rows of their own keep their heights over the box's floor: a cell takes what is linear between the rows around its place.
+void Tracer::move_to(const Window& window) {
+    const CellIndex by = window.origin_cells - window_.origin_cells;
+    const glm::ivec3 cells = window.cells;
+    const double rise = static_cast<double>(by.y) * window.units().y;
+    window_ = window;
+    window_.rows = work_.box().rows.get();
+    if (by == CellIndex(0))
+        return;
+    const Box& box = work_.box();
+    for (int k = 0; k < cells.z; ++k)
+        for (int j = 0; j < cells.y; ++j) {
+            const double place = box.rows ? box.rows->place_before(j, rise) : static_cast<double>(j + by.y) + 0.5;
+            const bool inside = k + by.z >= 0 && k + by.z < cells.z && place > 0.0 && place < cells.y;
+            const double row = inside ? std::clamp(place - 0.5, 0.0, cells.y - 1.0) : 0.0;
+            const int below = static_cast<int>(row), above = std::min(below + 1, cells.y - 1);
+            const auto part = static_cast<float>(row - below);
+            for (int i = 0; i < cells.x; ++i) {
+                float& value = carried_[box.index(i, j, k)] = 0.0f;
+                if (!inside || i + by.x < 0 || i + by.x >= cells.x)
+                    continue;
+                const int x = static_cast<int>(i + by.x), z = static_cast<int>(k + by.z);
+                value = glm::mix(cells_[box.index(x, below, z)], cells_[box.index(x, above, z)], part);
+            }
+        }
+    cells_.swap(carried_);
+}
+
+Result<void> Tracer::step(const WindView& air, std::span<const PlacedObstacle> obstacles, double dt) {
+    if (air.window().cells != window_.cells)
+        return Error{detail::message("the wind has ", air.window().cells, " cells and the tracer ", window_.cells,
+                                     ": make a tracer for each wind.")};
+    if (auto placed = work_.set_obstacles(obstacles); !placed)
+        return placed;
+    move_to(air.window());
+    if (!(dt > 0.0))
+        return {};
+    const ScalarTransport transport{.carried = cells_,
+                                    .velocity = air.field(),
+                                    .dt = static_cast<float>(dt),
+                                    .interpolation = Interpolation::cubic,
+                                    .clamped = true};
+    if (auto carried = advect(work_, transport, carried_); !carried)
+        return carried;
+    cells_.swap(carried_);
+    return {};
+}
+
+void Tracer::blow(glm::dvec3 point, float radius) {
+    const Box& box = work_.box();
+    const double h = static_cast<double>(box.cell_size), reach = static_cast<double>(radius) + h;
+    const glm::dvec3 low = glm::floor(window_.local(point - reach)), high = glm::ceil(window_.local(point + reach));
+    const glm::ivec3 first(glm::clamp(low, glm::dvec3(0.0), glm::dvec3(window_.cells)));
+    const glm::ivec3 end(glm::clamp(high, glm::dvec3(0.0), glm::dvec3(window_.cells)));
+    for (int k = first.z; k < end.z; ++k)
+        for (int j = first.y; j < end.y; ++j)
+            for (int i = first.x; i < end.x; ++i) {
+                const double beyond = glm::length(window_.centre(i, j, k) - point) - static_cast<double>(radius);
+                float& value = cells_[box.index(i, j, k)];
+                value = std::max(value, static_cast<float>(std::clamp(1.0 - beyond / h, 0.0, 1.0)));
+            }
+}
+
+} // namespace windrow
