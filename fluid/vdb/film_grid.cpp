@@ -110,9 +110,10 @@ std::vector<float> on_voxels(const WindView& air, const Lattice& lattice, std::s
     return values;
 }
 
-void add_scalar(FilmGrid& film, const std::string& name, const std::string& units, std::vector<float> values) {
+void add_scalar(FilmGrid& film, const std::string& name, const std::string& units, std::vector<float> values,
+                float outside = 0.0f) {
     film.scalars.push_back(std::move(values));
-    film.grid.scalars.push_back({name, units, film.scalars.back()});
+    film.grid.scalars.push_back({name, units, film.scalars.back(), outside});
 }
 
 Result<void> check_cells(const WindView& air, const FilmSettings& settings) {
@@ -174,7 +175,7 @@ Result<FilmGrid> film_grid(const WindView& air, const FilmSettings& settings) {
             std::vector<float> speed(film.velocity.size());
             std::transform(film.velocity.begin(), film.velocity.end(), speed.begin(),
                            [](const glm::vec4& u) { return glm::length(glm::vec3(u)); });
-            add_scalar(film, "speed", "m/s", std::move(speed));
+            add_scalar(film, "speed", "m/s", std::move(speed), glm::length(grid.outside));
         }
         if (settings.vorticity) {
             film.vorticity = vorticity_of(air, *lattice, parallel_for);

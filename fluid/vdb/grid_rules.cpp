@@ -112,6 +112,9 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
     if (!(grid.cell_height >= 0.0f && grid.cell_height <= 1e6f))
         reasons.add("cell_height is ", grid.cell_height, " m: give the thickness of a cell along y, or 0 for cell_size.");
     std::vector<std::string> names{options.name, k_obstacle_grid};
+    for (const NamedScalar& scalar : grid.scalars)
+        if (!std::isfinite(scalar.outside))
+            reasons.add(scalar.name, " has the background ", scalar.outside, ": give a finite value.");
     check_more(grid.scalars, grid, options, names, reasons, [](float value) { return std::abs(value); });
     check_more(grid.vectors, grid, options, names, reasons, [](const glm::vec4& v) {
         return is_finite(glm::vec3(v)) ? std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})

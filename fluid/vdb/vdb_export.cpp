@@ -118,8 +118,8 @@ struct GridList {
         grids.push_back(std::move(grid));
     }
 
-    void add_scalar(std::span<const float> values, const std::string& name, const std::string& units) {
-        add(dense_grid<openvdb::FloatGrid>(source, thickness, options, 0.0f, [&](std::size_t cell) { return values[cell]; }),
+    void add_scalar(std::span<const float> values, float outside, const std::string& name, const std::string& units) {
+        add(dense_grid<openvdb::FloatGrid>(source, thickness, options, outside, [&](std::size_t cell) { return values[cell]; }),
             name, units);
     }
 
@@ -151,11 +151,11 @@ openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) 
     GridList list{.source = source, .thickness = even.thickness, .options = options};
     list.add_vector(source.field, source.outside, options.name, "velocity m/s");
     if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; }))
-        list.add_scalar(source.obstacle, k_obstacle_grid, "obstacle 1");
+        list.add_scalar(source.obstacle, 0.0f, k_obstacle_grid, "obstacle 1");
     for (const NamedVector& vector : source.vectors)
         list.add_vector(vector.values, glm::vec3(0.0f), vector.name, vector.name + " " + vector.units);
     for (const NamedScalar& scalar : source.scalars)
-        list.add_scalar(scalar.values, scalar.name, scalar.name + " " + scalar.units);
+        list.add_scalar(scalar.values, scalar.outside, scalar.name, scalar.name + " " + scalar.units);
     return std::move(list.grids);
 }
 

@@ -25,7 +25,7 @@
 
 namespace windrow::vdb {
 
-/// A scalar to write as a grid of floats, with background 0.
+/// A scalar to write as a grid of floats.
 struct NamedScalar {
     /// As Options::name; another name than all other grids of the file.
     std::string name;
@@ -33,6 +33,8 @@ struct NamedScalar {
     std::string units;
     /// One finite value a cell, as VelocityGrid::field.
     std::span<const float> values{};
+    /// Background value, finite. Default 0.
+    float outside = 0.0f;
 };
 
 /// The same of vectors, which Options::form and Options::up treat as the velocity; background 0.

@@ -168,7 +168,7 @@ TEST_F(Command, FramesOfALongerRunAreMentioned) {
     const CommandOutcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "4"});
     EXPECT_EQ(again.code, k_exit_well);
     EXPECT_EQ(again.err, "windrow: warning: " + out +
-                             " holds 2 frames of a longer run, which this run does not replace: remove those that you do not "
+                             " holds 2 frames of another run, which this run does not replace: remove those that you do not "
                              "want.\n");
 }
 
@@ -198,7 +198,7 @@ TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
     std::ostringstream text;
     std::ostringstream err;
     int asked = 0;
-    const RunRequest request{.scene = scene, .frames = {}, .out = out, .csv = true};
+    const RunRequest request{.scene = scene, .film = {}, .out = out, .csv = true};
     const int code = run_scene(request, {.out = text, .err = err, .progress = nullptr}, [&] { return ++asked > 3 ? SIGINT : 0; });
     EXPECT_EQ(code, 128 + SIGINT);
     EXPECT_EQ(err.str(), "windrow: stopped by Ctrl-C after 3 of 6 frames: all files written so far are complete.\n");

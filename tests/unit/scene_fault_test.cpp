@@ -77,14 +77,15 @@ TEST(SceneFault, Ranges) {
     expect_rejection(R"({"air": {"ambient": [1e308, 0, 0]}})",
                      "a.json: $.air.ambient[0] is 1e308 m/s: give -10000 to 10000 m/s.");
     expect_rejection(R"({"tick_hz": 0})", "a.json: $.tick_hz is 0 Hz: give 1 to 10000 Hz.");
-    expect_rejection(R"({"frames_per_second": 100})",
-                     "a.json: $.frames_per_second is 100 1/s, more than tick_hz, 60 Hz: give at most that, or raise tick_hz.");
+    expect_rejection(R"({"vdb": {"grids": {"density": true}}})",
+                     "a.json: $.vdb.grids asks for density, and no smoke makes any: add $.smoke, or remove it.");
+    expect_rejection(R"({"vdb": {"margin": 3, "box": {}}})", "$.vdb");
     expect_rejection(R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 1000})",
                      "a.json: $.duration is 1e6 s, 1000000001 frames: give at most 100000 frames, by a shorter duration or fewer "
                      "frames_per_second.");
     expect_rejection(
         R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 0.01})",
-        "a.json: $.duration is 1e6 s, 1000000000 ticks: give at most 10000000 ticks, by a shorter duration or a lower tick_hz.");
+        "a.json: $.duration is 1e6 s, 1000000000 steps: give at most 10000000 steps, by a shorter duration or a lower tick_hz.");
     expect_rejection(R"({"motors": [{"kind": "directional", "region": {"sphere": {"radius": -1}}}]})",
                      "a.json: $.motors[0].region.sphere.radius is -1 m: give a number above 0, at most 1e6 m.");
     expect_rejection(R"({"motors": [{"kind": "directional", "direction": [0, 0, 0]}]})",

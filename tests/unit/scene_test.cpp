@@ -240,12 +240,13 @@ TEST(Scene, FramesAndTicks) {
     auto scene = read(R"({"duration": 0.3, "frames_per_second": 10})");
     ASSERT_TRUE(scene);
     EXPECT_EQ(scene->frame_count(), 4) << "0.3 * 10 is a hair below 3";
-    EXPECT_EQ(scene->tick_of_frame(0), 0);
-    EXPECT_EQ(scene->tick_of_frame(3), 18);
-    scene = read(R"({"duration": 1, "tick_hz": 60, "frames_per_second": 24})");
-    ASSERT_TRUE(scene);
-    EXPECT_EQ(scene->tick_of_frame(1), 3) << "2.5 ticks: to the nearest, and always the same one";
-    EXPECT_EQ(scene->tick_of_frame(24), 60);
+    EXPECT_EQ(scene->frame_times().step_of_frame(0), 0);
+    EXPECT_EQ(scene->frame_times().step_of_frame(3), 18);
+    EXPECT_EQ(scene->frame_times().length_of_step(1), 1.0 / 60.0) << "the tick, to the bit";
+    scene = read(R"({"duration": 1, "tick_hz": 60, "frames_per_second": 144})");
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(scene->frame_count(), 145);
+    EXPECT_EQ(scene->frame_times().step_of_frame(144), 144);
 }
 
 TEST(MotionPath, IsStraightBetweenPointsAndStaysAtItsEnds) {
