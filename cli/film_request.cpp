@@ -91,11 +91,29 @@ void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request) {
     command.add_flag("--nanovdb", request.nanovdb, "Write .nvdb in place of .vdb");
 }
 
-void check_film(const FilmRequest& request) {
+void check_film(const FilmRequest& request, bool vdb) {
     if (request.frames && request.to)
         reject("--frames and --to both say where the film ends: give one of them.");
     if (request.from && request.to && *request.to < *request.from)
         reject("--to is ", figure(*request.to), " s, before --from, ", figure(*request.from), " s: give a later time.");
+    if (!vdb && (request.grids.any() || request.nanovdb || request.margin || request.voxel_size))
+        reject(request.grids.any() ? "--grids"
+               : request.nanovdb   ? "--nanovdb"
+               : request.margin    ? "--margin"
+                                   : "--voxel",
+               " is given, and no VDB files are kept: add --vdb.");
+}
+
+std::uint64_t film_bytes(const scene::Scene& scene) {
+    constexpr double k_bytes_a_voxel = 80.0; // velocity, vorticity and scalars, twice while they are written
+    const scene::VdbSetting& vdb = scene.vdb;
+    if (!vdb.holds_more())
+        return 0;
+    const double cell = static_cast<double>(scene.air.cell_size);
+    const double voxel = vdb.voxel_size > 0.0f ? static_cast<double>(vdb.voxel_size) : cell;
+    const glm::dvec3 size = vdb.box ? glm::dvec3(vdb.box->size) : glm::dvec3(scene.air.cells) * cell + 2.0 * vdb.margin;
+    const glm::dvec3 voxels = size / voxel + 1.0;
+    return static_cast<std::uint64_t>(std::min(1e18, k_bytes_a_voxel * voxels.x * voxels.y * voxels.z));
 }
 
 Result<void> apply(const FilmRequest& request, const BackendRequest& backend, scene::Scene& scene) {

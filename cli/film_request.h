@@ -33,10 +33,12 @@ struct Frames {
 void add_film(Flags& flags, FilmRequest& request);
 /// Adds those of VDB files.
 void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request);
-/// Rejects flags that exclude each other.
-void check_film(const FilmRequest& request);
+/// Rejects flags that exclude each other, and flags of VDB files where none are kept.
+void check_film(const FilmRequest& request, bool vdb);
 /// Writes into the scene what was asked for; rejects what it, the build or the backend cannot give.
 [[nodiscard]] Result<void> apply(const FilmRequest& request, const BackendRequest& backend, scene::Scene& scene);
+/// Memory that a VDB file of the scene takes beside the air, where it holds more than the cells. [bytes]
+[[nodiscard]] std::uint64_t film_bytes(const scene::Scene& scene);
 /// The frames of a scene that `apply` has changed; rejects none, and too many steps.
 [[nodiscard]] Result<Frames> frames_of(const FilmRequest& request, const scene::Scene& scene);
 

@@ -48,16 +48,23 @@ bool check_parts(const RunRequest& request, const Console& console) {
 }
 
 /// A box that does not fit would otherwise end with the system killing some process, maybe not this one.
-bool check_memory(const scene::Scene& scene, const Console& console) {
+bool check_memory(const scene::Scene& scene, bool vdb, const Console& console) {
     constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame of the cells on its way out
     const glm::ivec3 cells = scene.air.cells;
     const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
                                  static_cast<std::uint64_t>(cells.z);
     const auto available = available_memory();
-    if (!available || needed <= *available)
+    if (!available)
         return true;
-    console.complain(message(scene.file.string(), ": $.air.cells is ", cells, ", which takes about ", needed >> 20, " MiB, and ",
-                             *available >> 20, " MiB are free: give fewer cells."));
+    const std::uint64_t film = vdb ? film_bytes(scene) : 0;
+    if (needed + film <= *available)
+        return true;
+    if (needed <= *available)
+        console.complain(message(scene.file.string(), ": $.vdb asks for voxels that take about ", film >> 20, " MiB, and ",
+                                 (*available - needed) >> 20, " MiB are free: give a smaller margin or larger voxels."));
+    else
+        console.complain(message(scene.file.string(), ": $.air.cells is ", cells, ", which takes about ", needed >> 20,
+                                 " MiB, and ", *available >> 20, " MiB are free: give fewer cells."));
     return false;
 }
 
@@ -125,7 +132,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
-        check_film(request->film);
+        check_film(request->film, request->vdb);
         chosen = interruptible<RunRequest>(run_scene, request, console);
     });
 }
@@ -143,7 +150,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         console.complain(applied.error());
         return k_exit_wrong_use;
     }
-    if (!check_memory(*scene, console))
+    if (!check_memory(*scene, request.vdb, console))
         return k_exit_machine;
     const auto frames = frames_of(request.film, *scene);
     if (!frames) {

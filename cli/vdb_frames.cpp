@@ -17,7 +17,7 @@ vdb::Options options_of(const scene::VdbSetting& setting) {
 
 /// Nothing: the cells of the air as they are.
 std::optional<vdb::Region> region_of(const scene::VdbSetting& setting, const WindView& air) {
-    if (!setting.box && setting.margin == 0.0 && setting.voxel_size == 0.0f && !setting.grids.any())
+    if (!setting.holds_more())
         return std::nullopt;
     vdb::Region region = vdb::region_around(air, setting.margin, setting.voxel_size);
     if (setting.box) {
@@ -69,6 +69,7 @@ Fault VdbFrames::write(Playback& playback, std::int64_t number) {
     const std::size_t cells = air.box().cell_count();
     std::vector<vdb::CellScalar> scalars;
     const auto made = detail::where_memory_lasts([&]() -> Result<void> {
+        obstacle_.clear();
         if (playback.wind().obstacles().count() > 0) {
             obstacle_.resize(cells);
             if (auto marked = playback.wind().write_obstacles(obstacle_); !marked)

@@ -144,6 +144,9 @@ struct VdbSetting {
     std::optional<VdbBox> box{};
     float voxel_size = 0.0f;
 
+    /// Whether a file holds more than the cells of the air.
+    [[nodiscard]] bool holds_more() const { return box || margin > 0.0 || voxel_size > 0.0f || grids.any(); }
+
     static constexpr auto settings() {
         return std::tuple{
             Setting("name", &VdbSetting::name, "Name of the grid. Blender and Houdini expect vel."),

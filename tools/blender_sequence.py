@@ -244,7 +244,10 @@ def set_up(arguments):
     rate, up = facts_of(folder, names)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
-    width, height = (int(part) for part in arguments.size.split("x"))
+    size = re.fullmatch(r"(\d{2,5})x(\d{2,5})", arguments.size)
+    if not size:
+        raise Wrong(f"--size is {arguments.size}: give pixels such as 960x540")
+    width, height = int(size[1]), int(size[2])
     scene.render.resolution_x, scene.render.resolution_y = width, height
     set_times(scene, rate, first, len(names))
     wind = load(folder, names, first, up)

@@ -186,7 +186,15 @@ TEST_F(FilmCommand, WrongUseIsASentence) {
         "tick_hz.");
     rejected({"--grids", "speed,spin"},
              "--grids has spin: give some of speed, vorticity, divergence, pressure, density, with commas.");
-    rejected({"--grids", "density"}, "--grids asks for density, and " + scene + " has no $.smoke: add a source of it.");
+    rejected({"--vdb", "--grids", "density"}, "--grids asks for density, and " + scene + " has no $.smoke: add a source of it.");
+    rejected({"--grids", "speed"}, "--grids is given, and no VDB files are kept: add --vdb.");
+    rejected({"--voxel", "2"}, "--voxel is given, and no VDB files are kept: add --vdb.");
+    if (built_with_vdb()) {
+        const CommandOutcome large = run({"--vdb", "--margin", "100000", "--out", in("large").c_str()});
+        EXPECT_EQ(large.code, k_exit_machine);
+        expect_words(large.err, {"$.vdb asks for voxels that take about"});
+        EXPECT_FALSE(fs::exists(in("large")));
+    }
     rejected({"--margin", "-1"}, "--margin is -1: give a number from 0 to 100000 m.");
     rejected({"--voxel", "0"}, "--voxel is 0: give a number above 0 to 1e6 m.");
 }
