@@ -59,8 +59,8 @@ bool within(const Wind& wind, glm::dvec3 p, double margin) {
 }
 
 // The largest difference of the file from velocity() at 1,000 points of the region outside of the box, over the mean wind. A point
-// is at least half a voxel within the region, where reads know nothing but voxels, and `least` above the floor.
-double apart_outside(const Wind& wind, double margin, float voxel, double least, bool at_centres) {
+// is at least half a voxel within the region, where a read meets voxels alone, `least` [m] above the floor and `skin` off the box.
+double apart_outside(const Wind& wind, double margin, float voxel, double least, bool at_centres, double skin = 0.0) {
     const OwnFolder folder;
     const vdb::Region region = vdb::region_around(wind.view(), margin, voxel);
     const auto film = vdb::film_grid(wind.view(), {.region = region});
@@ -78,7 +78,7 @@ double apart_outside(const Wind& wind, double margin, float voxel, double least,
             const auto c = grid->indexToWorld(openvdb::Coord::round(grid->worldToIndex({p.x, p.y, p.z})));
             p = {c[0], c[1], c[2]};
         }
-        if (within(wind, p, 0.0) || p.y < wind.origin().y + least)
+        if (within(wind, p, skin) || p.y < wind.origin().y + least)
             continue;
         ++points;
         apart = std::max(apart, double(glm::length(trilinear(*grid, p) - wind.velocity(p))));
