@@ -1,9 +1,10 @@
-# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan
+# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan c
 # vegetation):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include <windrow/fluid/wind.h>
 #   include/windrow/shaders/numerics the formulas that these include, and vegetation/shaders/numerics
 #   lib/libwindrow_*                 one library and one export set a component; vulkan has two libraries
+#   include/windrow/windrow.h        with the component c: the C interface, whose parts are in c_api/
 #   lib/cmake/windrow/               the package files
 #   lib/pkgconfig/windrow-*.pc       one a component, for builds without CMake
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
@@ -28,6 +29,7 @@ set(shader_dir ${CMAKE_INSTALL_DATADIR}/windrow/shaders)
 function(windrow_install_headers folder)
   set(headers ${WINDROW_PUBLIC_HEADERS})
   list(FILTER headers INCLUDE REGEX "^${folder}/[^/]*$")
+  list(REMOVE_ITEM headers c_api/windrow.h) # include/windrow/windrow.h
   list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
   install(FILES ${headers} DESTINATION ${header_dir}/${folder})
 endfunction()
@@ -65,6 +67,14 @@ if(TARGET windrow_coupling_vulkan)
   install(TARGETS windrow_coupling_vulkan EXPORT windrow_coupling_vulkan)
   set_target_properties(windrow_coupling_vulkan PROPERTIES INSTALL_RPATH "$ORIGIN")
   list(APPEND components coupling_vulkan)
+endif()
+
+if(TARGET windrow_c)
+  windrow_install_headers(c_api)
+  install(FILES ${PROJECT_SOURCE_DIR}/c_api/windrow.h DESTINATION ${header_dir})
+  install(TARGETS windrow_c EXPORT windrow_c)
+  set_target_properties(windrow_c PROPERTIES INSTALL_RPATH "$ORIGIN") # shared libraries of a BUILD_SHARED_LIBS build lie beside it
+  list(APPEND components c)
 endif()
 
 if(TARGET windrow_vegetation)

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "api.h"
+#include "allocator.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -64,7 +65,7 @@ class WINDROW_API GustTile {
 
     std::uint32_t seed_;
     std::vector<Mode> modes_;
-    std::vector<glm::vec4> texels_;
+    std::vector<glm::vec4, detail::HostMemory<glm::vec4>> texels_;
     float bound_ = 0.0f;
 };
 

@@ -1,7 +1,7 @@
 // Owned arrays, aligned to a cache line (large ones to a huge page), initially zero.
 #pragma once
 
-#include "fluid/api.h"
+#include "fluid/allocator.h"
 
 #include <cstddef>
 #include <cstring>
@@ -9,9 +9,6 @@
 #include <span>
 
 namespace windrow::cpu {
-
-[[nodiscard]] WINDROW_INTERNAL void* allocate_aligned(std::size_t bytes);
-WINDROW_INTERNAL void release_aligned(void* memory, std::size_t bytes);
 
 /// A fixed-size zeroed array on a 64-byte boundary. Move-only.
 template <class T>

@@ -2,7 +2,7 @@
 set(unformatted "")
 function(check style)
   set(files "")
-  foreach(folder fluid coupling scene cases cli examples pictures vegetation tests shaders tools)
+  foreach(folder fluid coupling c_api scene cases cli examples pictures vegetation tests shaders tools)
     foreach(ending ${ARGN})
       file(GLOB_RECURSE found RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.${ending})
       list(APPEND files ${found})

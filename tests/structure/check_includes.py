@@ -11,8 +11,8 @@ import sys
 
 LONGEST_FILE = 500
 SENTENCES = "tests/structure/messages.txt"  # a list of all messages, made by check_messages.py
-FOLDERS = ("fluid", "coupling", "shaders", "scene", "pictures", "vegetation", "examples", "cases", "cli", "tests", "tools",
-           "cmake")
+FOLDERS = ("fluid", "coupling", "c_api", "shaders", "scene", "pictures", "vegetation", "examples", "cases", "cli", "tests",
+           "tools", "cmake")
 SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".hlsl", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -24,11 +24,12 @@ ASSIMP = ("assimp/*",)
 FOLDERS_OF_OURS = tuple(f"{folder}/*" for folder in FOLDERS)
 # Production code: target folders that none of it knows, `tests` first of all. Examples may use public headers alone, see below.
 ABOVE = {
-    "fluid": ("coupling", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
-    "coupling": ("scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
-    "scene": ("pictures", "vegetation", "cases", "cli", "examples", "tests"),
-    "pictures": ("coupling", "scene", "vegetation", "cases", "cli", "examples", "tests"),
-    "vegetation": ("cases", "cli", "examples", "tests"),
+    "fluid": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
+    "coupling": ("c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
+    "c_api": ("scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
+    "scene": ("c_api", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
+    "pictures": ("coupling", "c_api", "scene", "vegetation", "cases", "cli", "examples", "tests"),
+    "vegetation": ("c_api", "cases", "cli", "examples", "tests"),
     "shaders": ("tests",),
     "cases": ("scene", "pictures", "cli", "examples", "tests"),
     "cli": ("examples", "tests"),

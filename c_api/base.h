@@ -1,0 +1,138 @@
+/* Base of the C API: version, results, errors, vectors, hooks of the host. */
+#ifndef WINDROW_C_API_BASE_H
+#define WINDROW_C_API_BASE_H
+
+#include "../fluid/version.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define WINDROW_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define WINDROW_API __attribute__((visibility("default")))
+#else
+#define WINDROW_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- Version ------------------------------------------------------------------------------------------------------------- */
+
+/* WINDROW_VERSION of the library that runs. The header's own is the macro. */
+WINDROW_API uint32_t windrow_version(void);
+/* The same as text, "0.1.0". */
+WINDROW_API const char* windrow_version_string(void);
+
+/* Parts that a build may leave out. Their functions are always there; without the part they return WINDROW_UNSUPPORTED. */
+typedef int32_t windrow_part;
+enum { WINDROW_PART_COUPLING = 0, WINDROW_PART_VDB = 1, WINDROW_PART_VULKAN = 2 };
+/* 1 if this library has the part. */
+WINDROW_API int32_t windrow_has_part(windrow_part part);
+
+/* --- Results ------------------------------------------------------------------------------------------------------------- */
+
+/* WINDROW_OK, or a negative class of error. A call that fails changes nothing, except where it is documented. */
+typedef int32_t windrow_result;
+enum {
+    WINDROW_OK = 0,
+    WINDROW_REJECTED = -1,      /* an argument or a field is out of range, null or of another kind */
+    WINDROW_STALE = -2,         /* the id names nothing: it was removed, or another wind gave it */
+    WINDROW_OUT_OF_MEMORY = -3, /* free some and call again */
+    WINDROW_CANNOT_WRITE = -4,  /* the file cannot be made there */
+    WINDROW_DISK_FULL = -5,     /* the disk cannot hold the file */
+    WINDROW_UNSUPPORTED = -6,   /* this build lacks the part, or this backend lacks the call */
+    WINDROW_NOT_READY = -7,     /* nothing has come back from the device yet */
+    WINDROW_INTERNAL = -8       /* an unexpected error inside the library: report it */
+};
+
+/* The sentence of the last call in this thread that failed: what is wrong, its value, the fix; all reasons, one a line. UTF-8. It is
+   good until the next call of this thread that fails. Empty before the first. Functions that return a value in place of a result
+   return 0 for a null handle, and the sentence says which argument is null. */
+WINDROW_API const char* windrow_last_error(void);
+
+/* --- Numbers ------------------------------------------------------------------------------------------------------------- */
+
+typedef struct windrow_vec2 {
+    float x, y;
+} windrow_vec2;
+typedef struct windrow_vec3 {
+    float x, y, z;
+} windrow_vec3;
+typedef struct windrow_vec4 {
+    float x, y, z, w;
+} windrow_vec4;
+/* A quaternion, of any length but 0. */
+typedef struct windrow_quat {
+    float x, y, z, w;
+} windrow_quat;
+typedef struct windrow_dvec2 {
+    double x, y;
+} windrow_dvec2;
+typedef struct windrow_dvec3 {
+    double x, y, z;
+} windrow_dvec3;
+typedef struct windrow_dvec4 {
+    double x, y, z, w;
+} windrow_dvec4;
+typedef struct windrow_ivec2 {
+    int32_t x, y;
+} windrow_ivec2;
+typedef struct windrow_ivec3 {
+    int32_t x, y, z;
+} windrow_ivec3;
+typedef struct windrow_uvec2 {
+    uint32_t x, y;
+} windrow_uvec2;
+
+/* --- Hooks: set once, before the first object ---------------------------------------------------------------------------- */
+
+typedef int32_t windrow_severity;
+enum { WINDROW_SEVERITY_WARNING = 0, WINDROW_SEVERITY_ERROR = 1 };
+/* Called with the sentence of each call that fails, and with warnings; by the thread that calls the library, or by a driver's. */
+typedef void (*windrow_logger)(windrow_severity severity, const char* sentence, void* user);
+/* Null: no longer. Set it while no other thread is inside the library. */
+WINDROW_API void windrow_set_logger(windrow_logger logger, void* user);
+
+/* Memory for the large arrays of all winds, at least 99 % of windrow_wind_memory_bytes on the CPU: cells, scratch and tables of the
+   solver, tiles of gusts. `alignment` is a power of two from 64 on. Null is out of memory. Called by any thread that makes objects.
+   Not covered: objects themselves, lists, strings, geometry, snapshots, logs, what OpenVDB and a driver allocate. */
+typedef void* (*windrow_allocate)(size_t bytes, size_t alignment, void* user);
+typedef void (*windrow_release)(void* memory, size_t bytes, size_t alignment, void* user);
+/* Both or neither; null: the library's own. Rejected while memory of the other allocator is held. */
+WINDROW_API windrow_result windrow_set_allocator(windrow_allocate allocate, windrow_release release, void* user);
+/* [bytes] Held from the allocator now. */
+WINDROW_API uint64_t windrow_allocated_bytes(void);
+
+/* A host's parallel loop: calls task(argument, i) once for each i in [0, count), in any order and on any threads, and returns when all
+   are done. Results do not depend on the number of threads. */
+typedef void (*windrow_task)(void* argument, int32_t index);
+typedef void (*windrow_run)(void* context, int32_t count, windrow_task task, void* argument);
+typedef struct windrow_parallel_for {
+    windrow_run run; /* null: a serial loop in the caller's thread */
+    void* context;   /* handed to `run`; outlives every object that was made with it */
+} windrow_parallel_for;
+
+/* A small pool for hosts without a job system. */
+typedef struct windrow_thread_pool windrow_thread_pool;
+/* `threads` in all, the caller's included; 0: one a core. */
+WINDROW_API windrow_result windrow_thread_pool_create(int32_t threads, windrow_thread_pool** pool);
+WINDROW_API void windrow_thread_pool_destroy(windrow_thread_pool* pool);
+WINDROW_API int32_t windrow_thread_pool_size(const windrow_thread_pool* pool);
+/* The loop to hand to a config. The pool outlives what was made with it. */
+WINDROW_API windrow_parallel_for windrow_thread_pool_parallel_for(windrow_thread_pool* pool);
+
+/* --- Bytes that the library made: a snapshot, a log ---------------------------------------------------------------------- */
+
+typedef struct windrow_bytes windrow_bytes;
+WINDROW_API const uint8_t* windrow_bytes_data(const windrow_bytes* bytes);
+WINDROW_API uint64_t windrow_bytes_size(const windrow_bytes* bytes);
+WINDROW_API void windrow_bytes_destroy(windrow_bytes* bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,135 @@
+// Calls of ambient.h.
+#include "c_api/ambient.h"
+
+#include "c_api/source/tables.h"
+#include "fluid/message.h"
+
+#include <cmath>
+
+using namespace windrow;
+using namespace windrow::c_api;
+
+WINDROW_EXPORT windrow_result windrow_sampling_init(windrow_sampling* sampling, uint32_t struct_size) {
+    return init(sampling, struct_size);
+}
+WINDROW_EXPORT windrow_result windrow_sampling_validate(const windrow_sampling* sampling) {
+    return call({{sampling, "sampling"}},
+                [&] { return with(sampling, [](const Sampling& wanted) { return validate(wanted); }); });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_settings_init(windrow_ambient_settings* settings, uint32_t struct_size) {
+    return init(settings, struct_size);
+}
+WINDROW_EXPORT windrow_result windrow_uniform_gust_init(windrow_uniform_gust* gust, uint32_t struct_size) {
+    return init(gust, struct_size);
+}
+
+WINDROW_EXPORT windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust_tile** tile) {
+    return create(tile, [&]() -> Result<std::shared_ptr<const GustTile>> {
+        auto baked = GustTile::bake(seed);
+        if (!baked)
+            return detail::out_of_memory();
+        return baked;
+    });
+}
+WINDROW_EXPORT void windrow_gust_tile_destroy(windrow_gust_tile* tile) {
+    delete tile;
+}
+WINDROW_EXPORT const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count) {
+    return value_of(tile, "tile", [&] {
+        const auto texels = tile->tile->texels();
+        if (count != nullptr)
+            *count = texels.size();
+        return same_layout<const windrow_vec4>(texels.data());
+    });
+}
+
+WINDROW_EXPORT windrow_result windrow_ambient_wind_create(const windrow_ambient_settings* settings,
+                                                          windrow_ambient_wind** ambient) {
+    return create_from(settings, ambient, [](const AmbientWind::Settings& wanted) { return AmbientWind::create(wanted); });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_of(const windrow_wind* wind, int32_t frame, windrow_ambient_wind** ambient) {
+    if (ambient != nullptr)
+        *ambient = nullptr;
+    return call({{wind, "wind"}}, [&] { return create(ambient, [&] { return wind->ambient_wind(frame); }); });
+}
+WINDROW_EXPORT void windrow_ambient_wind_destroy(windrow_ambient_wind* ambient) {
+    delete ambient;
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_advance(windrow_ambient_wind* ambient, double dt) {
+    return call({{ambient, "ambient"}}, [&]() -> windrow_result {
+        if (!std::isfinite(dt))
+            return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time."));
+        ambient->wind.advance(dt);
+        return WINDROW_OK;
+    });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_set_mean(windrow_ambient_wind* ambient, windrow_vec3 mean) {
+    return call({{ambient, "ambient"}}, [&] { return ambient->wind.set_mean(to_cpp(mean)); });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_set_ground(windrow_ambient_wind* ambient, double height) {
+    return call({{ambient, "ambient"}}, [&] { return ambient->wind.set_ground(height); });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_set_phase(windrow_ambient_wind* ambient, windrow_dvec3 phase) {
+    return call({{ambient, "ambient"}}, [&]() -> Result<void> {
+        ambient->wind.set_phase(to_cpp(phase));
+        return {};
+    });
+}
+WINDROW_EXPORT windrow_dvec3 windrow_ambient_wind_phase(const windrow_ambient_wind* ambient) {
+    return value_of(ambient, "ambient", [&] { return to_c(ambient->wind.phase()); });
+}
+WINDROW_EXPORT double windrow_ambient_wind_period(const windrow_ambient_wind* ambient) {
+    return value_of(ambient, "ambient", [&] { return ambient->wind.period(); });
+}
+WINDROW_EXPORT windrow_vec3 windrow_ambient_wind_mean(const windrow_ambient_wind* ambient) {
+    return value_of(ambient, "ambient", [&] { return to_c(ambient->wind.mean()); });
+}
+WINDROW_EXPORT double windrow_ambient_wind_ground(const windrow_ambient_wind* ambient) {
+    return value_of(ambient, "ambient", [&] { return ambient->wind.ground(); });
+}
+WINDROW_EXPORT float windrow_ambient_wind_profile_at(const windrow_ambient_wind* ambient, double height) {
+    return value_of(ambient, "ambient", [&] { return ambient->wind.profile_at(height); });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_velocity(const windrow_ambient_wind* ambient, windrow_dvec3 position,
+                                                            windrow_vec3* velocity) {
+    return call({{ambient, "ambient"}, {velocity, "velocity"}}, [&]() -> Result<void> {
+        *velocity = to_c(ambient->wind.velocity(to_cpp(position)));
+        return {};
+    });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_felt(const windrow_ambient_wind* ambient, windrow_dvec3 position,
+                                                        const windrow_sampling* sampling, windrow_vec3* velocity) {
+    return call({{ambient, "ambient"}, {velocity, "velocity"}}, [&] {
+        return with_sampling(sampling, [&](const Sampling& wanted) -> Result<void> {
+            *velocity = to_c(ambient->wind.felt(to_cpp(*velocity), to_cpp(position), wanted));
+            return {};
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_block(const windrow_ambient_wind* ambient, windrow_dvec3 anchor,
+                                                         const windrow_sampling* sampling, windrow_ambient_block* block) {
+    return call({{ambient, "ambient"}, {block, "block"}}, [&] {
+        return with_sampling(sampling, [&](const Sampling& wanted) -> Result<void> {
+            copy_block(ambient->wind.block(to_cpp(anchor), wanted), block);
+            return {};
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_ambient_wind_tile(const windrow_ambient_wind* ambient, windrow_gust_tile** tile) {
+    if (tile != nullptr)
+        *tile = nullptr;
+    return call({{ambient, "ambient"}, {tile, "tile"}}, [&]() -> windrow_result {
+        if (const auto& of_wind = ambient->wind.tile())
+            *tile = new windrow_gust_tile{of_wind};
+        return WINDROW_OK;
+    });
+}
+WINDROW_EXPORT windrow_result windrow_uniform_gust_velocity(const windrow_uniform_gust* gust, double time,
+                                                            windrow_vec3* velocity) {
+    return call({{gust, "gust"}, {velocity, "velocity"}}, [&] {
+        return with(gust, [&](const UniformGust& wanted) -> Result<void> {
+            *velocity = to_c(wanted.velocity(time));
+            return {};
+        });
+    });
+}

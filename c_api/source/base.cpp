@@ -1,0 +1,132 @@
+// Version, errors, hooks, threads, bytes.
+#include "c_api/base.h"
+
+#include "c_api/source/guard.h"
+#include "c_api/source/handles.h"
+#include "fluid/allocator.h"
+#include "fluid/message.h"
+
+#include <cstring>
+#include <string>
+
+namespace windrow::c_api {
+namespace {
+
+struct LastError {
+    std::string text;
+    const char* fixed = ""; ///< in place of `text`, where it is not null
+};
+thread_local LastError last_error;
+
+struct Logger {
+    windrow_logger log = nullptr;
+    void* user = nullptr;
+};
+Logger logger;
+
+void log(windrow_severity severity, const char* sentence) noexcept {
+    if (logger.log != nullptr)
+        logger.log(severity, sentence, logger.user);
+}
+
+} // namespace
+
+windrow_result fail(windrow_result result, std::string_view sentence) noexcept {
+    last_error.fixed = nullptr;
+    try {
+        last_error.text = sentence;
+    } catch (...) {
+        last_error.fixed = Error::k_out_of_memory;
+    }
+    log(WINDROW_SEVERITY_ERROR, windrow_last_error());
+    return result;
+}
+
+windrow_result fail(const Error& error) noexcept {
+    return fail(error.message.starts_with(Error::k_out_of_memory) ? WINDROW_OUT_OF_MEMORY : WINDROW_REJECTED, error.message);
+}
+
+windrow_result fail_null(const char* argument) noexcept {
+    return fail(WINDROW_REJECTED, detail::message(std::string_view(argument), " is null: give an object."));
+}
+
+windrow_result fail_unsupported(const char* part) noexcept {
+    return fail(WINDROW_UNSUPPORTED, detail::message("this library was built without ", std::string_view(part),
+                                                     ": build it with the component, or ask windrow_has_part first."));
+}
+
+void warn(const char* sentence) noexcept {
+    log(WINDROW_SEVERITY_WARNING, sentence);
+}
+
+} // namespace windrow::c_api
+
+using namespace windrow;
+using namespace windrow::c_api;
+
+WINDROW_EXPORT uint32_t windrow_version(void) {
+    return WINDROW_VERSION;
+}
+WINDROW_EXPORT const char* windrow_version_string(void) {
+    return WINDROW_VERSION_STRING;
+}
+WINDROW_EXPORT int32_t windrow_has_part(windrow_part part) {
+    switch (part) {
+    case WINDROW_PART_COUPLING:
+        return WINDROW_C_COUPLING;
+    case WINDROW_PART_VDB:
+        return WINDROW_C_VDB;
+    case WINDROW_PART_VULKAN:
+        return WINDROW_C_VULKAN;
+    default:
+        return 0;
+    }
+}
+
+WINDROW_EXPORT const char* windrow_last_error(void) {
+    return last_error.fixed != nullptr ? last_error.fixed : last_error.text.c_str();
+}
+
+WINDROW_EXPORT void windrow_set_logger(windrow_logger log, void* user) {
+    logger = {log, user};
+}
+
+WINDROW_EXPORT windrow_result windrow_set_allocator(windrow_allocate allocate, windrow_release release, void* user) {
+    return guarded([&] { return set_allocator({.allocate = allocate, .release = release, .user = user}); });
+}
+WINDROW_EXPORT uint64_t windrow_allocated_bytes(void) {
+    return allocated_bytes();
+}
+
+WINDROW_EXPORT windrow_result windrow_thread_pool_create(int32_t threads, windrow_thread_pool** pool) {
+    return create(pool, [&]() -> Result<std::unique_ptr<ThreadPool>> {
+        if (threads < 0 || threads > 4096)
+            return Error{detail::message("threads is ", threads, ": give 1 to 4096, or 0 for one a core.")};
+        auto made = std::make_unique<ThreadPool>(threads);
+        if (made->size() < threads)
+            warn("the system gives fewer threads than the pool asked for: windrow_thread_pool_size has their number.");
+        return made;
+    });
+}
+WINDROW_EXPORT void windrow_thread_pool_destroy(windrow_thread_pool* pool) {
+    delete pool;
+}
+WINDROW_EXPORT int32_t windrow_thread_pool_size(const windrow_thread_pool* pool) {
+    return value_of(pool, "pool", [&] { return pool->pool->size(); });
+}
+WINDROW_EXPORT windrow_parallel_for windrow_thread_pool_parallel_for(windrow_thread_pool* pool) {
+    return value_of(pool, "pool", [&] {
+        const ParallelFor loop = pool->pool->parallel_for();
+        return windrow_parallel_for{loop.run, loop.context};
+    });
+}
+
+WINDROW_EXPORT const uint8_t* windrow_bytes_data(const windrow_bytes* bytes) {
+    return value_of(bytes, "bytes", [&] { return reinterpret_cast<const uint8_t*>(bytes->bytes.data()); });
+}
+WINDROW_EXPORT uint64_t windrow_bytes_size(const windrow_bytes* bytes) {
+    return value_of(bytes, "bytes", [&] { return static_cast<uint64_t>(bytes->bytes.size()); });
+}
+WINDROW_EXPORT void windrow_bytes_destroy(windrow_bytes* bytes) {
+    delete bytes;
+}

@@ -1,0 +1,126 @@
+// Calls of vdb.h.
+#include "c_api/vdb.h"
+
+#include "c_api/source/tables.h"
+#include "fluid/message.h"
+#include "fluid/vdb/vdb_export.h"
+
+#include <filesystem>
+#include <string>
+
+namespace windrow::c_api {
+
+template <>
+inline constexpr int k_values<vdb::Form> = 2;
+template <>
+inline constexpr int k_values<vdb::Precision> = 2;
+template <>
+inline constexpr int k_values<vdb::UpAxis> = 2;
+
+void read_rest(Reasons&, const Path&, const char* from, std::string& to) {
+    if (from != nullptr)
+        to = from;
+}
+
+WINDROW_C_STRUCT(windrow_vdb_options, vdb::Options, name, form, precision, up, time, frame);
+WINDROW_C_STRUCT_BUT(4, windrow_vdb_grid, vdb::VelocityGrid, cells, cell_size, origin, outside);
+
+} // namespace windrow::c_api
+
+using namespace windrow;
+using namespace windrow::c_api;
+
+namespace {
+
+windrow_result done_with(const vdb::WriteResult& written) {
+    switch (written.problem()) {
+    case vdb::Problem::none:
+        return WINDROW_OK;
+    case vdb::Problem::rejected:
+        return fail(WINDROW_REJECTED, written.error());
+    case vdb::Problem::cannot_write:
+        return fail(WINDROW_CANNOT_WRITE, written.error());
+    case vdb::Problem::disk_full:
+        return fail(WINDROW_DISK_FULL, written.error());
+    case vdb::Problem::out_of_memory:
+        return fail(WINDROW_OUT_OF_MEMORY, written.error());
+    }
+    return fail(WINDROW_INTERNAL, written.error());
+}
+
+std::filesystem::path path_of(const char* utf8) {
+    return std::filesystem::path(reinterpret_cast<const char8_t*>(utf8));
+}
+
+template <class Use>
+windrow_result with_options(const windrow_vdb_options* options, const Use& use) {
+    if (options == nullptr)
+        return use(vdb::Options{});
+    return with(options, use);
+}
+
+/// Runs use(grid) on the cells of a wind.
+template <class Use>
+windrow_result with_grid(const windrow_wind* wind, const Use& use) {
+    if (wind->cpu() != nullptr)
+        return use(vdb::grid_of(*wind->cpu()));
+    windrow_result why = WINDROW_REJECTED;
+    const Result<WindView> view = wind->view(WINDROW_FRAME_NOW, why);
+    if (!view)
+        return fail(why, view.error());
+    vdb::VelocityGrid grid;
+    grid.cells = view->box().cells;
+    grid.cell_size = view->box().cell_size;
+    grid.rows = view->box().rows;
+    grid.origin = view->origin();
+    grid.field = view->field();
+    grid.outside = view->ambient().mean();
+    return use(grid);
+}
+
+} // namespace
+
+WINDROW_EXPORT windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size) {
+    return init(options, struct_size);
+}
+WINDROW_EXPORT windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size) {
+    return init(grid, struct_size);
+}
+WINDROW_EXPORT windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options) {
+    return call({{wind, "wind"}, {path, "path"}}, [&] {
+        return with_options(options, [&](const vdb::Options& wanted) {
+            return with_grid(wind,
+                             [&](const vdb::VelocityGrid& grid) { return done_with(vdb::write(grid, path_of(path), wanted)); });
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_vdb_write_frame(const windrow_wind* wind, const char* folder, const char* prefix,
+                                                      int32_t digits, int32_t frame, double time,
+                                                      const windrow_vdb_options* options) {
+    return call({{wind, "wind"}, {folder, "folder"}, {prefix, "prefix"}}, [&] {
+        return with_options(options, [&](const vdb::Options& wanted) {
+            const vdb::Sequence sequence{.folder = path_of(folder), .prefix = prefix, .digits = digits, .options = wanted};
+            return with_grid(wind, [&](const vdb::VelocityGrid& grid) { return done_with(sequence.write(grid, frame, time)); });
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,
+                                                     const windrow_vdb_options* options) {
+    return call({{grid, "grid"}, {path, "path"}}, [&]() -> windrow_result {
+        Reasons reasons;
+        windrow_vdb_grid taken;
+        if (!take(reasons, Path{nullptr, "grid"}, grid, taken))
+            return fail(WINDROW_REJECTED, reasons.take());
+        if (taken.field == nullptr && taken.count > 0)
+            return fail(WINDROW_REJECTED, detail::message("grid.field is null: give ", taken.count, " cells."));
+        if (taken.count > k_max_cells)
+            return fail(WINDROW_REJECTED,
+                        detail::message("grid.count is ", taken.count, ": give at most ", k_max_cells, " cells."));
+        vdb::VelocityGrid wanted;
+        read_fields(reasons, Path{nullptr, "grid"}, taken, wanted);
+        wanted.field = {same_layout<const glm::vec4>(taken.field), static_cast<std::size_t>(taken.count)};
+        if (taken.obstacle != nullptr)
+            wanted.obstacle.assign(taken.obstacle, taken.obstacle + taken.count);
+        return with_options(options, [&](const vdb::Options& how) { return done_with(vdb::write(wanted, path_of(path), how)); });
+    });
+}

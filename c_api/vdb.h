@@ -1,0 +1,56 @@
+/* Winds as OpenVDB files (fluid/vdb/vdb_export.h). */
+#ifndef WINDROW_C_API_VDB_H
+#define WINDROW_C_API_VDB_H
+
+#include "base.h"
+#include "wind.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t windrow_vdb_form;
+enum { WINDROW_VDB_ONE_VECTOR = 0, WINDROW_VDB_THREE_SCALARS = 1 };
+typedef int32_t windrow_vdb_precision;
+enum { WINDROW_VDB_FULL = 0, WINDROW_VDB_HALF = 1 };
+typedef int32_t windrow_vdb_up;
+enum { WINDROW_VDB_UP_Y = 0, WINDROW_VDB_UP_Z = 1 };
+typedef struct windrow_vdb_options {
+    uint32_t struct_size;
+    windrow_vdb_form form;
+    const char* name; /* of the grid; null: "vel" */
+    windrow_vdb_precision precision;
+    windrow_vdb_up up;
+    double time; /* [s] */
+    int32_t frame;
+    uint32_t reserved; /* 0 */
+} windrow_vdb_options;
+WINDROW_API windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size);
+
+/* Writes the cells of a wind as they are now, with the cells inside obstacles. `path` is UTF-8. `options` may be null. On a device: the
+   last read-back, without obstacles. */
+WINDROW_API windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options);
+/* A frame of a sequence: folder / prefix 0001 .vdb. `options` may be null; its time and frame are replaced. */
+WINDROW_API windrow_result windrow_vdb_write_frame(const windrow_wind* wind, const char* folder, const char* prefix,
+                                                   int32_t digits, int32_t frame, double time,
+                                                   const windrow_vdb_options* options);
+/* A box of cells in memory of the host. */
+typedef struct windrow_vdb_grid {
+    uint32_t struct_size;
+    windrow_ivec3 cells;
+    windrow_dvec3 origin; /* [m] of the low corner */
+    windrow_vec3 outside; /* [m/s] background value */
+    float cell_size;      /* [m] */
+    uint64_t count;       /* of `field`: x * y * z */
+    const windrow_vec4* field;
+    const float* obstacle; /* as many: 1 inside obstacles, else 0; null: none */
+} windrow_vdb_grid;
+WINDROW_API windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size);
+WINDROW_API windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,
+                                                  const windrow_vdb_options* options);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,173 @@
+/*
+ * The wind on a device, inside the host's renderer (fluid/vulkan/wind.h).
+ *
+ *     windrow_vulkan_wind_create(&host, &config, NULL, &wind);
+ *     windrow_wind_follow(wind, player);                           the calls of wind.h, motors.h and obstacles.h are the same
+ *     windrow_vulkan_frame_init(&frame, sizeof frame);
+ *     frame.dt = frame_seconds;
+ *     windrow_vulkan_wind_record(wind, command_buffer, &frame, NULL, NULL);
+ *
+ * It submits nothing and waits for nothing.
+ */
+#ifndef WINDROW_C_API_VULKAN_WIND_H
+#define WINDROW_C_API_VULKAN_WIND_H
+
+#include "event_log.h"
+#include "vulkan_host.h"
+#include "wind.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t windrow_vulkan_texture_set;
+enum { WINDROW_VULKAN_VECTORS = 0, WINDROW_VULKAN_AXES = 1, WINDROW_VULKAN_BOTH = 2 };
+typedef int32_t windrow_vulkan_read_back;
+enum {
+    WINDROW_VULKAN_READ_NONE = 0,
+    WINDROW_VULKAN_READ_CELLS = 1,  /* all cells: the reading calls of wind.h */
+    WINDROW_VULKAN_READ_HALVES = 2, /* windrow_wind_velocity, windrow_vulkan_wind_halves */
+    WINDROW_VULKAN_READ_BOX = 3,    /* a box of cells: the reading calls of wind.h */
+    WINDROW_VULKAN_READ_POINTS = 4  /* windrow_vulkan_wind_points */
+};
+typedef struct windrow_vulkan_settings {
+    uint32_t struct_size;
+    windrow_texel texel;
+    windrow_vulkan_texture_set textures;
+    int32_t frames_in_flight;
+    int32_t gusts;      /* 1: room for gusts that begin later */
+    int32_t timestamps; /* 1: times of each pass */
+    windrow_vulkan_read_back queries;
+    windrow_ivec3 read_cells;
+    int32_t read_points;
+    int32_t forces;           /* most obstacles whose forces come back */
+    uint32_t export_textures; /* VkExternalMemoryHandleTypeFlagBits; 0: none */
+    int32_t obstacles;        /* 1: makes the passes for obstacles on creation */
+} windrow_vulkan_settings;
+WINDROW_API windrow_result windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size);
+
+/* A frame to record. */
+typedef struct windrow_vulkan_frame {
+    uint32_t struct_size;
+    int32_t slot;                /* of the frame in flight; -1: the one after the last */
+    double dt;                   /* [s] */
+    const windrow_dvec3* around; /* centre of WINDROW_VULKAN_READ_BOX; null: the point that the box follows */
+    uint64_t point_count;
+    const windrow_dvec3* points; /* of WINDROW_VULKAN_READ_POINTS */
+    int32_t save;                /* 1: windrow_vulkan_wind_saved returns this recording's state */
+    uint32_t reserved;           /* 0 */
+} windrow_vulkan_frame;
+WINDROW_API windrow_result windrow_vulkan_frame_init(windrow_vulkan_frame* frame, uint32_t struct_size);
+
+/* --- Life: `settings` may be null ---------------------------------------------------------------------------------------- */
+
+/* [bytes] Device memory before it is made. */
+WINDROW_API windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,
+                                                              const windrow_vulkan_settings* settings, uint64_t* memory,
+                                                              uint64_t* reserved);
+WINDROW_API windrow_result windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config,
+                                                      const windrow_vulkan_settings* settings, windrow_wind** wind);
+/* From bytes of either backend. */
+WINDROW_API windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+                                                    const windrow_vulkan_settings* settings, windrow_wind** wind);
+/* The state of the last recording with frame.save; WINDROW_NOT_READY until its slot is done. */
+WINDROW_API windrow_result windrow_vulkan_wind_saved(windrow_wind* wind, windrow_bytes** bytes);
+
+/* --- Frames -------------------------------------------------------------------------------------------------------------- */
+
+/* Records the ticks that are due into a VkCommandBuffer. `advance` and `last` may be null. */
+WINDROW_API windrow_result windrow_vulkan_wind_record(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
+                                                      windrow_advance* advance, windrow_diagnostics* last);
+/* Records one step of frame.dt. */
+WINDROW_API windrow_result windrow_vulkan_wind_record_step(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
+                                                           windrow_diagnostics* diagnostics);
+/* Takes the read-back of a slot that the host has waited for; 0 where there is none. */
+WINDROW_API int32_t windrow_vulkan_wind_collect(windrow_wind* wind, int32_t slot);
+/* After a recording that is never submitted. */
+WINDROW_API windrow_result windrow_vulkan_wind_forget(windrow_wind* wind);
+/* Records with `record`, submits and waits; WINDROW_OK or an error of the host's. */
+typedef windrow_result (*windrow_vulkan_run)(windrow_vulkan_record record, void* argument, void* user);
+WINDROW_API windrow_result windrow_vulkan_wind_replay(const windrow_event_log* log, windrow_wind* wind, windrow_vulkan_run run,
+                                                      void* user);
+
+/* --- For shaders --------------------------------------------------------------------------------------------------------- */
+
+typedef struct windrow_vulkan_texture {
+    uint64_t image; /* VkImage */
+    uint64_t view;  /* VkImageView */
+} windrow_vulkan_texture;
+/* What the settings leave out is 0. */
+typedef struct windrow_vulkan_textures {
+    windrow_vulkan_texture vectors;
+    windrow_vulkan_texture axes[3];
+} windrow_vulkan_textures;
+WINDROW_API windrow_result windrow_vulkan_wind_textures(const windrow_wind* wind, windrow_frame frame,
+                                                        windrow_vulkan_textures* textures);
+/* VkBuffer of the gust tile. */
+WINDROW_API uint64_t windrow_vulkan_wind_gust_buffer(const windrow_wind* wind);
+typedef struct windrow_vulkan_exported_image {
+    uint64_t image;                /* VkImage */
+    uint64_t memory;               /* VkDeviceMemory */
+    uint64_t offset, size;         /* [bytes] */
+    uint32_t handle_type;          /* VkExternalMemoryHandleTypeFlagBits */
+    int32_t format;                /* VkFormat */
+    uint32_t width, height, depth; /* [texels] */
+    uint32_t reserved;
+} windrow_vulkan_exported_image;
+/* `count`: room in `images`; receives their number. `images` may be null to ask for it. */
+WINDROW_API windrow_result windrow_vulkan_wind_exported_images(const windrow_wind* wind, windrow_vulkan_exported_image* images,
+                                                               uint32_t* count);
+
+enum { WINDROW_VULKAN_MAX_BINDINGS = 8 };
+/* Fills a VkSamplerCreateInfo for the textures. */
+WINDROW_API windrow_result windrow_vulkan_sampler_info(const windrow_boundaries* boundaries, void* sampler_info);
+/* Fills at most 8 VkDescriptorSetLayoutBinding for windrow_wind.glsl; returns their number. `stages` is VkShaderStageFlags. */
+WINDROW_API uint32_t windrow_vulkan_set_bindings(windrow_vulkan_texture_set textures, uint32_t stages, uint32_t first,
+                                                 void* bindings);
+/* Contents of a set. */
+typedef struct windrow_vulkan_set_content {
+    windrow_vulkan_textures now, before;
+    uint64_t sampler;      /* VkSampler; 0: immutable ones */
+    uint64_t block;        /* VkBuffer of a windrow_frame_block */
+    uint64_t block_offset; /* [bytes] */
+    uint64_t tile;         /* VkBuffer: windrow_vulkan_wind_gust_buffer, or any of 16 bytes */
+} windrow_vulkan_set_content;
+/* The writes of a VkDescriptorSet, for vkUpdateDescriptorSets or push descriptors. */
+typedef struct windrow_vulkan_set_writes windrow_vulkan_set_writes;
+WINDROW_API windrow_result windrow_vulkan_set_writes_create(uint64_t set, const windrow_vulkan_set_content* content,
+                                                            windrow_vulkan_texture_set textures, uint32_t first,
+                                                            windrow_vulkan_set_writes** writes);
+WINDROW_API void windrow_vulkan_set_writes_destroy(windrow_vulkan_set_writes* writes);
+/* Array of VkWriteDescriptorSet. */
+WINDROW_API const void* windrow_vulkan_set_writes_data(const windrow_vulkan_set_writes* writes);
+WINDROW_API uint32_t windrow_vulkan_set_writes_count(const windrow_vulkan_set_writes* writes);
+
+/* --- What was read back: good until the next recording or a collect that takes one --------------------------------------- */
+
+/* Cells as halves: x, y, z and 0 each. `count`: cells. `origin` may be null. */
+WINDROW_API windrow_result windrow_vulkan_wind_halves(const windrow_wind* wind, const uint16_t** cells, uint64_t* count,
+                                                      windrow_dvec3* origin);
+WINDROW_API windrow_result windrow_vulkan_wind_points(const windrow_wind* wind, const windrow_dvec3** positions,
+                                                      const windrow_vec4** velocities, uint64_t* count);
+/* [s] Time of the frames recorded since. */
+WINDROW_API double windrow_vulkan_wind_query_age(const windrow_wind* wind);
+/* Of the last tick that was read back. */
+WINDROW_API windrow_result windrow_vulkan_wind_reported(windrow_wind* wind, windrow_diagnostics* diagnostics);
+WINDROW_API int32_t windrow_vulkan_wind_dispatches(const windrow_wind* wind);
+WINDROW_API int32_t windrow_vulkan_wind_barriers(const windrow_wind* wind);
+WINDROW_API uint64_t windrow_vulkan_wind_reserved_bytes(const windrow_wind* wind);
+typedef struct windrow_vulkan_pass {
+    const char* name;
+    int32_t dispatches;
+    uint32_t reserved;
+    double us; /* [us] */
+} windrow_vulkan_pass;
+/* Times of the last recording that was read back. `count`: room in `passes`, receives their number; `passes` may be null. */
+WINDROW_API windrow_result windrow_vulkan_wind_pass_times(const windrow_wind* wind, double* whole_us, double* read_back_us,
+                                                          int32_t* untimed, windrow_vulkan_pass* passes, uint32_t* count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
