@@ -97,7 +97,6 @@ typedef struct windrow_directional_motor {
     windrow_law law;
     windrow_envelope envelope;
     windrow_turbulence turbulence;
-    uint32_t reserved; /* 0 */
 } windrow_directional_motor;
 WINDROW_API windrow_result windrow_directional_motor_init(windrow_directional_motor* motor, uint32_t struct_size);
 

@@ -1,13 +1,12 @@
-# windrow_c_stubs(PART FILE HEADER...): writes FILE, in which every function of the headers returns WINDROW_UNSUPPORTED, for a build
-# without the part. So the library has the same symbols in every build.
-function(windrow_c_stubs part file)
+# windrow_c_write_stubs(PART FOLDER FILE HEADER...): writes FILE, in which every function of these headers of FOLDER returns
+# WINDROW_UNSUPPORTED, for a build without the part. So the library has the same symbols in every build.
+function(windrow_c_write_stubs part folder output)
   set(text "#include \"c_api/source/guard.h\"\n#include \"c_api/windrow.h\"\n\n")
   foreach(header IN LISTS ARGN)
-    file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${header} content)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${header})
-    string(REGEX MATCHALL "WINDROW_API [^;]*" functions "${content}")
+    file(READ ${folder}/${header} content)
+    string(REGEX MATCHALL "\nWINDROW_API [^;]*" functions "${content}")
     foreach(function IN LISTS functions)
-      string(REGEX REPLACE "^WINDROW_API " "" function "${function}")
+      string(REGEX REPLACE "^\nWINDROW_API " "" function "${function}")
       if(function MATCHES "^windrow_result ")
         set(body "return windrow::c_api::fail_unsupported(\"${part}\");")
       elseif(function MATCHES "^void windrow_")
@@ -18,7 +17,5 @@ function(windrow_c_stubs part file)
       string(APPEND text "WINDROW_EXPORT ${function} { ${body} }\n")
     endforeach()
   endforeach()
-  file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)
-  set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS -Wno-unused-parameter)
-  target_sources(windrow_c PRIVATE ${file})
+  file(CONFIGURE OUTPUT ${output} CONTENT "${text}" @ONLY)
 endfunction()

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace windrow {
 namespace cpu {
@@ -35,7 +36,6 @@ Result<void> set_allocator(const Allocator& allocator);
 [[nodiscard]] std::uint64_t allocated_bytes();
 
 namespace detail {
-/// For a std::vector of it.
 template <class T>
 struct HostMemory {
     using value_type = T;
@@ -47,6 +47,8 @@ struct HostMemory {
     void deallocate(T* memory, std::size_t count) { cpu::release_aligned(memory, count * sizeof(T)); }
     friend bool operator==(const HostMemory&, const HostMemory&) { return true; }
 };
+template <class T>
+using HostVector = std::vector<T, HostMemory<T>>;
 } // namespace detail
 
 } // namespace windrow

@@ -64,8 +64,8 @@ class WINDROW_API GustTile {
     void bake_texels();
 
     std::uint32_t seed_;
-    std::vector<Mode> modes_;
-    std::vector<glm::vec4, detail::HostMemory<glm::vec4>> texels_;
+    detail::HostVector<Mode> modes_;
+    detail::HostVector<glm::vec4> texels_;
     float bound_ = 0.0f;
 };
 

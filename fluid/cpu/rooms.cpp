@@ -94,7 +94,7 @@ void Solids::find_rooms() {
                     join_rows({0, j, k}, next, axis);
 
     // The size of each part of the air, 0 where it is not a closed room.
-    std::vector<std::uint32_t>& sizes = part_sizes_;
+    auto& sizes = part_sizes_;
     sizes.assign(runs_.size(), 0);
     std::size_t row = 0;
     bool any_open = false;

@@ -307,7 +307,7 @@ void Solids::measure(const View& view, const Reach& reach, const Reach& corners)
 
 // The same, to the bit, over an upright ground, which has one height a column.
 void Solids::measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners) {
-    const auto fill = [&](const Reach& places, float middle, float touch, std::vector<float>& distances) {
+    const auto fill = [&](const Reach& places, float middle, float touch, detail::HostVector<float>& distances) {
         heights_.clear();
         for (int k = places.low.z; k < places.high.z; ++k)
             for (int i = places.low.x; i < places.high.x; ++i)

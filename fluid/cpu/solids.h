@@ -20,6 +20,7 @@
 #pragma once
 
 #include "fluid/api.h"
+#include "fluid/allocator.h"
 #include "fluid/box.h"
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
@@ -207,9 +208,9 @@ class Solids {
         };
         PlacedObstacle body;
         glm::ivec3 low{0}, high{0}; ///< cells drawn: all that the body reaches within the box and some beyond
-        std::vector<Face> faces;
-        std::vector<Inside> inside;
-        std::vector<Side> sides;
+        detail::HostVector<Face> faces;
+        detail::HostVector<Inside> inside;
+        detail::HostVector<Side> sides;
     };
 
     struct Reach {
@@ -275,28 +276,29 @@ class Solids {
     std::vector<Drawing> drawings_, drawings_before_; ///< one a body, in their order; those behind keep their room
     std::vector<float> thicknesses_;                  ///< [cells] of each body
     std::vector<std::uint8_t> closes_new_;            ///< scratch of find_origins: whether each body does
-    std::vector<ClosedFace> faces_;
-    std::vector<SurfaceCell> surface_;
-    std::vector<InsideCell> inside_;
-    std::vector<Ghost> ghosts_;
-    std::vector<GhostSource> ghost_sources_;
-    std::vector<std::uint32_t> layer_ends_, thin_, rooms_, room_ends_, sheltered_;
-    std::vector<InsideCell> layered_;                  ///< the ghosts' cells
-    std::vector<Run> runs_;                            ///< scratch
-    std::vector<std::uint32_t> row_runs_, part_sizes_; ///< scratch: first run of each row; cells of each part of the air
-    std::vector<ClosedFace> unsorted_;
-    std::vector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
-    std::vector<Drawing::Face> drawn_faces_;    ///< scratch of draw
-    std::vector<Drawing::Inside> drawn_inside_; ///< scratch of draw
-    std::vector<Drawing::Side> drawn_sides_;    ///< scratch of draw
-    std::vector<std::uint8_t> flags_;           ///< one a cell
-    std::vector<std::uint16_t> body_of_;        ///< one a cell: body that an inside cell is in
-    std::vector<std::uint32_t> drawn_of_;       ///< one a cell: number of an inside cell in that body's drawing
-    std::vector<std::uint32_t> surface_of_;     ///< one a cell: number of a surface cell
-    std::vector<std::uint8_t> layers_;          ///< one a cell: layer of a ghost, or k_room
-    std::vector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
-    std::vector<float> distances_, depths_;     ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
-    std::vector<float> heights_;                ///< scratch: of a ground's columns
+    detail::HostVector<ClosedFace> faces_;
+    detail::HostVector<SurfaceCell> surface_;
+    detail::HostVector<InsideCell> inside_;
+    detail::HostVector<Ghost> ghosts_;
+    detail::HostVector<GhostSource> ghost_sources_;
+    detail::HostVector<std::uint32_t> layer_ends_, thin_, rooms_, room_ends_, sheltered_;
+    detail::HostVector<InsideCell> layered_;                  ///< the ghosts' cells
+    detail::HostVector<Run> runs_;                            ///< scratch
+    detail::HostVector<std::uint32_t> row_runs_, part_sizes_; ///< scratch: first run of each row; cells of each part of the air
+    detail::HostVector<ClosedFace> unsorted_;
+    detail::HostVector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
+    detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw
+    detail::HostVector<Drawing::Inside> drawn_inside_; ///< scratch of draw
+    detail::HostVector<Drawing::Side> drawn_sides_;    ///< scratch of draw
+    detail::HostVector<std::uint8_t> flags_;           ///< one a cell
+    detail::HostVector<std::uint16_t> body_of_;        ///< one a cell: body that an inside cell is in
+    detail::HostVector<std::uint32_t> drawn_of_;       ///< one a cell: number of an inside cell in that body's drawing
+    detail::HostVector<std::uint32_t> surface_of_;     ///< one a cell: number of a surface cell
+    detail::HostVector<std::uint8_t> layers_;          ///< one a cell: layer of a ghost, or k_room
+    detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
+    detail::HostVector<float> distances_,
+        depths_;                        ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
+    detail::HostVector<float> heights_; ///< scratch: of a ground's columns
 };
 
 template <class Visit>

@@ -14,6 +14,7 @@
 // Based on: Prandtl 1925 (mixing length); Kalnay & Kanamitsu 1988, Monthly Weather Review 116 (schemes for such diffusion).
 #pragma once
 
+#include "fluid/allocator.h"
 #include "fluid/ambient.h"
 #include "fluid/api.h"
 #include "fluid/box.h"
@@ -71,7 +72,7 @@ class WINDROW_INTERNAL SurfaceLayer {
     std::optional<Place> place_;
     std::uint64_t version_ = 0;
     float wind_height_ = 0.0f; ///< [m] of the lowest cells over the ambient wind's ground
-    std::vector<float> faces_, wind_mixing_, wind_drag_;
+    detail::HostVector<float> faces_, wind_mixing_, wind_drag_;
 };
 
 } // namespace windrow::cpu

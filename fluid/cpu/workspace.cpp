@@ -112,7 +112,8 @@ void Workspace::State::set_ambient(glm::vec3 wind) {
 
 std::size_t Workspace::State::memory_bytes() const {
     std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() +
-                        potential.bytes() + scratch.bytes() + surveys.bytes() + pressure.memory_bytes();
+                        potential.bytes() + scratch.bytes() + surveys.bytes() + pressure.memory_bytes() + direction.bytes() +
+                        correction.bytes();
     for (const auto* each : {&rules, &carried_rules})
         for (const auto& axis : *each)
             bytes += axis.capacity() * sizeof(cpu::HaloRule);

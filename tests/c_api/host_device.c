@@ -1,0 +1,174 @@
+/* The wind and the ground on a device that the library opens: no header of Vulkan. Where there is none, the reason is printed. */
+#include "host.h"
+
+#include <math.h>
+
+typedef struct recording {
+    windrow_wind* wind;
+    windrow_vulkan_frame frame;
+    windrow_vulkan_ground* ground;
+    windrow_ground_step step;
+    windrow_result result;
+} recording;
+
+static void record(void* commands, void* user) {
+    recording* what = (recording*)user;
+    if (what->wind != NULL)
+        what->result = windrow_vulkan_wind_record_step(what->wind, commands, &what->frame, NULL);
+    else
+        what->result = windrow_vulkan_ground_record(what->ground, commands, &what->step, WINDROW_LEANS_EVERYWHERE);
+}
+
+static windrow_result run(windrow_vulkan_record record_frame, void* argument, void* user) {
+    return windrow_vulkan_device_run((windrow_vulkan_device*)user, record_frame, argument);
+}
+
+static void check_device_wind(windrow_vulkan_device* device) {
+    windrow_config config = small_config();
+    windrow_vulkan_host host;
+    windrow_vulkan_settings settings;
+    windrow_vulkan_textures now, before;
+    windrow_vulkan_pipeline_store* store = NULL;
+    windrow_wind *wind = NULL, *cpu = NULL, *loaded = NULL;
+    windrow_directional_motor fan;
+    windrow_motor_id fan_id, cpu_id;
+    windrow_diagnostics diagnostics;
+    windrow_query query;
+    windrow_dvec3 points[2];
+    windrow_vec3 on_device[2], on_cpu[2];
+    windrow_bytes* bytes = NULL;
+    windrow_event_log* log = NULL;
+    windrow_frame_block block;
+    uint64_t memory = 0, reserved = 0;
+    recording what;
+    int n;
+    memset(&what, 0, sizeof what);
+    CHECK_OK(windrow_vulkan_host_init(&host, sizeof host));
+    CHECK_OK(windrow_vulkan_device_host(device, 0, &host));
+    CHECK(host.device != NULL && host.get_instance_proc_addr != NULL && windrow_vulkan_device_queue(device, 0) != NULL);
+    CHECK_OK(windrow_vulkan_check(host.instance, host.physical_device, host.get_instance_proc_addr));
+    CHECK_OK(windrow_vulkan_pipeline_store_create(&host, &store));
+    host.pipeline_store = store;
+    CHECK_OK(windrow_vulkan_settings_init(&settings, sizeof settings));
+    settings.queries = WINDROW_VULKAN_READ_CELLS;
+    settings.frames_in_flight = 1;
+    CHECK_OK(windrow_vulkan_wind_required_bytes(&host, &config, &settings, &memory, &reserved));
+    CHECK_OK(windrow_vulkan_wind_create(&host, &config, &settings, &wind));
+    CHECK(windrow_wind_memory_bytes(wind) == memory && windrow_vulkan_wind_reserved_bytes(wind) == reserved);
+    CHECK(windrow_vulkan_pipeline_store_count(store) > 0);
+    CHECK_OK(windrow_wind_create(&config, &cpu));
+
+    /* the same motors; the calls of the CPU alone name the ones of the device */
+    CHECK_OK(windrow_directional_motor_init(&fan, sizeof fan));
+    fan.position = dvec3(0.0, 3.0, 0.0);
+    CHECK_OK(windrow_wind_add_directional(wind, &fan, &fan_id));
+    CHECK_OK(windrow_wind_add_directional(cpu, &fan, &cpu_id));
+    CHECK_FAILS(windrow_wind_step(wind, 0.1, NULL), WINDROW_UNSUPPORTED, "windrow_wind_step is for winds on the CPU");
+    CHECK_FAILS(windrow_vulkan_wind_forget(cpu), WINDROW_UNSUPPORTED, "windrow_vulkan_wind_create");
+    CHECK_OK(windrow_query_init(&query, sizeof query));
+    points[0] = dvec3(1.0, 3.0, 0.0);
+    points[1] = dvec3(-2.5, 2.0, 4.0);
+    query.count = 2;
+    query.positions = points;
+    query.velocities = &on_device[0].x;
+    CHECK_FAILS(windrow_wind_sample(wind, &query), WINDROW_NOT_READY, "no cells have come back yet");
+
+    CHECK_OK(windrow_event_log_create(&log));
+    CHECK_OK(windrow_wind_record_to(wind, log));
+    what.wind = wind;
+    CHECK_OK(windrow_vulkan_frame_init(&what.frame, sizeof what.frame));
+    what.frame.dt = 0.02;
+    what.frame.slot = 0;
+    for (n = 0; n < 5; ++n) {
+        what.frame.save = n == 4;
+        CHECK_OK(windrow_vulkan_device_run(device, record, &what));
+        CHECK_OK(what.result);
+        CHECK(windrow_vulkan_wind_collect(wind, 0) == 1);
+        CHECK_OK(windrow_wind_step(cpu, 0.02, NULL));
+    }
+    CHECK_OK(windrow_wind_record_to(wind, NULL));
+    CHECK_OK(windrow_wind_sample(wind, &query));
+    query.velocities = &on_cpu[0].x;
+    CHECK_OK(windrow_wind_sample(cpu, &query));
+    for (n = 0; n < 2; ++n) /* design: 1e-4 of the largest speed */
+        CHECK(fabs((double)(on_device[n].x - on_cpu[n].x)) < 1e-3 && fabs((double)(on_device[n].y - on_cpu[n].y)) < 1e-3);
+    CHECK_OK(windrow_diagnostics_init(&diagnostics, sizeof diagnostics));
+    CHECK_OK(windrow_vulkan_wind_reported(wind, &diagnostics));
+    CHECK(diagnostics.stepped == 1 && windrow_vulkan_wind_dispatches(wind) > 0 && windrow_vulkan_wind_barriers(wind) > 0);
+    CHECK_OK(windrow_vulkan_wind_textures(wind, WINDROW_FRAME_NOW, &now));
+    CHECK_OK(windrow_vulkan_wind_textures(wind, WINDROW_FRAME_PREVIOUS, &before));
+    CHECK(now.vectors.image != 0 && now.vectors.view != 0 && before.vectors.image != now.vectors.image && now.axes[0].image == 0);
+    CHECK(windrow_vulkan_wind_gust_buffer(wind) != 0);
+    CHECK_OK(windrow_wind_frame_block(wind, dvec3(0.0, 0.0, 0.0), NULL, &block));
+    CHECK(block.window.cells.x == 24.0f);
+
+    CHECK_OK(windrow_vulkan_wind_saved(wind, &bytes));
+    CHECK_OK(windrow_vulkan_wind_load(&host, windrow_bytes_data(bytes), windrow_bytes_size(bytes), &settings, &loaded));
+    windrow_wind_destroy(loaded);
+    CHECK_OK(windrow_wind_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), NULL, &loaded)); /* and on the CPU */
+    windrow_wind_destroy(loaded);
+    windrow_bytes_destroy(bytes);
+    CHECK_OK(windrow_vulkan_wind_create(&host, &config, &settings, &loaded));
+    CHECK_OK(windrow_wind_add_directional(loaded, &fan, NULL));
+    CHECK_OK(windrow_vulkan_wind_replay(log, loaded, run, device));
+    CHECK(windrow_vulkan_wind_collect(loaded, 0) >= 0);
+    query.velocities = &on_cpu[0].x;
+    CHECK_OK(windrow_wind_sample(loaded, &query));
+    CHECK(memcmp(on_cpu, on_device, sizeof on_cpu) == 0); /* to the bit */
+    windrow_wind_destroy(loaded);
+    windrow_event_log_destroy(log);
+    windrow_vulkan_pipeline_store_destroy(store);
+    windrow_wind_destroy(wind);
+    windrow_wind_destroy(cpu);
+}
+
+static void check_device_ground(windrow_vulkan_device* device) {
+    windrow_vulkan_host host;
+    windrow_ground_config config;
+    windrow_vulkan_texture texture;
+    windrow_ground_block block;
+    recording what;
+    memset(&what, 0, sizeof what);
+    CHECK_OK(windrow_vulkan_host_init(&host, sizeof host));
+    CHECK_OK(windrow_vulkan_device_host(device, 0, &host));
+    CHECK_OK(windrow_ground_config_init(&config, sizeof config));
+    CHECK_FAILS(windrow_vulkan_ground_create(&host, &config, 5, &what.ground), WINDROW_REJECTED, "texel is 5");
+    CHECK_OK(windrow_vulkan_ground_create(&host, &config, WINDROW_TEXEL_HALF, &what.ground));
+    CHECK_OK(windrow_vulkan_ground_follow(what.ground, dvec3(3.0, 0.0, 0.0)));
+    CHECK_OK(windrow_ground_step_init(&what.step, sizeof what.step));
+    what.step.duration = 0.1;
+    CHECK_OK(windrow_vulkan_device_run(device, record, &what));
+    CHECK_OK(what.result);
+    CHECK_OK(windrow_vulkan_ground_texture(what.ground, WINDROW_FRAME_NOW, &texture));
+    CHECK_OK(windrow_vulkan_ground_block(what.ground, dvec3(0.0, 0.0, 0.0), &block));
+    CHECK(texture.view != 0 && block.now.corner.w == 128.0f && windrow_vulkan_ground_memory_bytes(what.ground) > 0);
+    windrow_vulkan_ground_destroy(what.ground);
+}
+
+void check_device(void) {
+    windrow_vulkan_device_list* list = NULL;
+    windrow_vulkan_device_settings settings;
+    windrow_vulkan_device_facts facts;
+    windrow_vulkan_requirements requirements;
+    windrow_vulkan_device* device = NULL;
+    CHECK_OK(windrow_vulkan_requirements_init(&requirements, sizeof requirements));
+    CHECK(requirements.shared_bytes == 16384 && strcmp(windrow_vulkan_result_name(0), "VK_SUCCESS") == 0);
+    if (windrow_vulkan_device_list_create(&list) != WINDROW_OK) {
+        printf("no device: %s\n", windrow_last_error());
+        return;
+    }
+    CHECK_OK(windrow_vulkan_device_facts_init(&facts, sizeof facts));
+    CHECK(windrow_vulkan_device_list_count(list) > 0);
+    CHECK_OK(windrow_vulkan_device_list_get(list, 0, &facts));
+    printf("device 0: %s, Vulkan %s\n", facts.name, facts.api_version);
+    CHECK_FAILS(windrow_vulkan_device_list_get(list, 99, &facts), WINDROW_REJECTED, "index is 99");
+    windrow_vulkan_device_list_destroy(list);
+    CHECK_OK(windrow_vulkan_device_settings_init(&settings, sizeof settings));
+    settings.validation = windrow_vulkan_has_validation_layer();
+    CHECK_OK(windrow_vulkan_device_create(&settings, &device));
+    check_device_wind(device);
+    if (windrow_has_part(WINDROW_PART_COUPLING))
+        check_device_ground(device);
+    CHECK(windrow_vulkan_device_messages(device) == 0);
+    windrow_vulkan_device_destroy(device);
+}

@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""languages_test.py LANGUAGE --examples DIR --library FILE --truth PROGRAM --c PROGRAM --work DIR
+
+Compiles and runs the example of a language against the shared library. It must print the line that the README's program prints, and
+end with 2 and the library's sentence where a setting is wrong (argument `wrong`).
+"""
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+
+def run(command, **options):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
+    return done.returncode, done.stdout, done.stderr
+
+
+def build(command):
+    code, out, err = run(command)
+    if code != 0:
+        sys.exit(f"{' '.join(map(str, command))} ends with {code}:\n{out}{err}")
+
+
+def tool(name, package):
+    path = shutil.which(name)
+    if path is None:
+        sys.exit(f"{name} is not installed: install {package}")
+    return path
+
+
+def example(language, args):
+    """The command that runs the example."""
+    if language == "c":
+        return [args.c]
+    if language == "python":
+        return [sys.executable, "-B", args.examples / "python" / "windrow.py"]
+    if language == "csharp":
+        program = args.work / "follow_player.exe"
+        build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", *sorted((args.examples / "csharp").glob("*.cs"))])
+        return [tool("mono", "mono-runtime"), program]
+    program = args.work / "follow_player"
+    build([tool("rustc", "rustc"), "--edition", "2021", "-D", "warnings", "-O", "-L", args.library.parent, "-o", program,
+           args.examples / "rust" / "windrow.rs"])
+    return [program]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("language", choices=("c", "python", "csharp", "rust"))
+    for name in ("examples", "library", "truth", "c", "work"):
+        parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
+    args = parser.parse_args()
+    args.work.mkdir(parents=True, exist_ok=True)
+    environment = dict(os.environ, LD_LIBRARY_PATH=str(args.library.parent), WINDROW_LIBRARY=str(args.library))
+
+    truth = run([args.truth])
+    command = example(args.language, args)
+    said = run(command, env=environment)
+    print(f"C++: {truth[1].strip()}; {args.language}: {said[1].strip()}")
+    if truth[0] != 0 or " m/s at the leaf" not in truth[1] or said[:2] != truth[:2]:
+        sys.exit(f"{args.language} ends with {said[0]}: {said[1]}{said[2]}")
+    if args.language != "c":  # which keeps to the ten lines
+        wrong = run([*command, "wrong"], env=environment)
+        if wrong[0] != 2 or "cell_size is -1" not in wrong[2]:
+            sys.exit(f"a wrong setting ends with {wrong[0]}, not with 2 and the sentence: {wrong[1]}{wrong[2]}")
+        print(f"a wrong setting: {wrong[2].strip()}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,202 @@
+// The C interface beside the C++ one in one program: the same calls give the same bits, and its memory hook covers what it says.
+#include "fluid/allocator.h"
+#include "fluid/wind.h"
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <gtest/gtest.h>
+#include <utility>
+#include <vector>
+#include <windrow/windrow.h>
+
+namespace {
+
+struct Destroy {
+    void operator()(windrow_wind* wind) const { windrow_wind_destroy(wind); }
+    void operator()(windrow_height_map* map) const { windrow_height_map_destroy(map); }
+};
+template <class Handle>
+using Owned = std::unique_ptr<Handle, Destroy>;
+
+template <class Struct, class Init>
+Struct initial(const Init& init) {
+    Struct value;
+    EXPECT_EQ(init(&value, sizeof value), WINDROW_OK);
+    return value;
+}
+
+Owned<windrow_wind> make(const windrow_config& config) {
+    windrow_wind* wind = nullptr;
+    EXPECT_EQ(windrow_wind_create(&config, &wind), WINDROW_OK) << windrow_last_error();
+    return Owned<windrow_wind>(wind);
+}
+
+// Defaults are those of C++, to the bit.
+TEST(CApi, DefaultsAreThoseOfCpp) {
+    const auto c = initial<windrow_config>(windrow_config_init);
+    const windrow::Config cpp;
+    EXPECT_EQ(c.cells.x, cpp.cells.x);
+    EXPECT_EQ(c.cells.y, cpp.cells.y);
+    EXPECT_EQ(c.viscosity, cpp.viscosity);
+    EXPECT_EQ(c.relaxation_time, cpp.relaxation_time);
+    EXPECT_EQ(c.interpolation, static_cast<int>(cpp.interpolation));
+    EXPECT_EQ(c.ticks_hz, cpp.ticks.hz);
+    EXPECT_EQ(c.max_substeps, cpp.max_substeps);
+    const auto jet = initial<windrow_jet_motor>(windrow_jet_motor_init);
+    EXPECT_EQ(jet.law.kind, WINDROW_LAW_DRIVE);
+    EXPECT_EQ(jet.law.speed, 12.0f);
+    EXPECT_EQ(jet.turbulence.intensity, windrow::JetMotor{}.turbulence.intensity);
+    EXPECT_TRUE(std::isinf(jet.envelope.hold));
+}
+
+TEST(CApi, GivesTheBitsOfCpp) {
+    auto config = initial<windrow_config>(windrow_config_init);
+    auto gusts = initial<windrow_gusts>(windrow_gusts_init);
+    auto profile = initial<windrow_log_profile>(windrow_log_profile_init);
+    gusts.intensity = 0.2f;
+    config.boundaries = windrow_boundaries_open_over_floor();
+    config.ambient = {4.0f, 0.0f, 1.0f};
+    config.gusts = &gusts;
+    config.profile = &profile;
+    const auto c = make(config);
+    auto jet = initial<windrow_jet_motor>(windrow_jet_motor_init);
+    jet.direction = {0.0f, 1.0f, 1.0f};
+    windrow_motor_id id;
+    ASSERT_EQ(windrow_wind_add_jet(c.get(), &jet, &id), WINDROW_OK);
+    auto block = initial<windrow_obstacle>(windrow_obstacle_init);
+    block.position = {5.0, 0.0, 2.0};
+    ASSERT_EQ(windrow_wind_add_obstacle(c.get(), &block, nullptr), WINDROW_OK);
+
+    auto cpp = windrow::Wind::create({.boundaries = windrow::Boundaries::open_over_floor(),
+                                      .ambient = {4.0f, 0.0f, 1.0f},
+                                      .profile = windrow::LogProfile{},
+                                      .gusts = {.intensity = 0.2f}});
+    ASSERT_TRUE(cpp);
+    const auto cpp_id = cpp->motors().add(windrow::JetMotor{.direction = {0.0f, 1.0f, 1.0f}});
+    ASSERT_TRUE(cpp_id);
+    ASSERT_TRUE(cpp->obstacles().add({.position = {5.0, 0.0, 2.0}}));
+
+    for (int frame = 0; frame < 20; ++frame) {
+        const double x = 0.2 * frame;
+        ASSERT_EQ(windrow_wind_follow(c.get(), {x, 0.0, 0.0}), WINDROW_OK);
+        ASSERT_EQ(windrow_wind_move_motor(c.get(), id, {x, 1.0, 0.5}), WINDROW_OK);
+        ASSERT_EQ(windrow_wind_advance(c.get(), 1.0 / 60.0, nullptr, nullptr), WINDROW_OK);
+        ASSERT_TRUE(cpp->follow({x, 0.0, 0.0}));
+        ASSERT_TRUE(cpp->motors().move(*cpp_id, {x, 1.0, 0.5}));
+        (void)cpp->advance(1.0 / 60.0);
+    }
+    const windrow_vec4* cells = nullptr;
+    std::uint64_t count = 0;
+    ASSERT_EQ(windrow_wind_field(c.get(), WINDROW_FRAME_NOW, &cells, &count, nullptr), WINDROW_OK);
+    const auto field = cpp->view().field();
+    ASSERT_EQ(count, field.size());
+    EXPECT_EQ(std::memcmp(cells, field.data(), field.size_bytes()), 0);
+    windrow_frame_block block_c;
+    ASSERT_EQ(windrow_wind_frame_block(c.get(), {1.0, 0.0, 0.0}, nullptr, &block_c), WINDROW_OK);
+    const windrow::FrameBlock block_cpp = cpp->frame_block({1.0, 0.0, 0.0});
+    EXPECT_EQ(std::memcmp(&block_c, &block_cpp, sizeof block_c), 0);
+}
+
+// --- The allocator --------------------------------------------------------------------------------------------------------
+struct Heap {
+    std::int64_t held = 0;
+    int calls = 0;
+    bool fails = false;
+};
+void* allocate(std::size_t bytes, std::size_t alignment, void* user) {
+    auto& heap = *static_cast<Heap*>(user);
+    if (heap.fails)
+        return nullptr;
+    heap.held += static_cast<std::int64_t>(bytes);
+    ++heap.calls;
+    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void release(void* memory, std::size_t bytes, std::size_t, void* user) {
+    static_cast<Heap*>(user)->held -= static_cast<std::int64_t>(bytes);
+    std::free(memory);
+}
+
+class HostHeap : public ::testing::Test {
+  protected:
+    HostHeap() { EXPECT_EQ(windrow_set_allocator(allocate, release, &heap), WINDROW_OK) << windrow_last_error(); }
+    ~HostHeap() override {
+        EXPECT_EQ(heap.held, 0);
+        EXPECT_EQ(windrow_set_allocator(nullptr, nullptr, nullptr), WINDROW_OK);
+    }
+    // At least 99 % of the wind's memory is the host's.
+    void expect_covered(const char* what, const windrow_wind* wind) const {
+        const auto all = static_cast<double>(windrow_wind_memory_bytes(wind));
+        EXPECT_GE(static_cast<double>(heap.held), 0.99 * all) << what << ": " << heap.held << " of " << all;
+    }
+    Heap heap;
+};
+
+TEST_F(HostHeap, CoversTheMemoryOfEachKindOfWind) {
+    auto config = initial<windrow_config>(windrow_config_init);
+    config.boundaries = windrow_boundaries_open_over_floor();
+    config.ambient = {3.0f, 0.0f, 0.0f};
+    {
+        const auto wind = make(config);
+        expect_covered("default", wind.get());
+        ASSERT_EQ(windrow_wind_advance(wind.get(), 0.1, nullptr, nullptr), WINDROW_OK);
+        expect_covered("with frames", wind.get());
+        auto block = initial<windrow_obstacle>(windrow_obstacle_init);
+        for (int n = 0; n < 40; ++n) {
+            block.position = {3.0 * (n % 8) - 12.0, 2.0, 3.0 * (n / 8) - 8.0};
+            ASSERT_EQ(windrow_wind_add_obstacle(wind.get(), &block, nullptr), WINDROW_OK);
+        }
+        ASSERT_EQ(windrow_wind_step(wind.get(), 0.02, nullptr), WINDROW_OK);
+        expect_covered("with obstacles", wind.get());
+    }
+    auto gusts = initial<windrow_gusts>(windrow_gusts_init);
+    gusts.intensity = 0.2f;
+    auto profile = initial<windrow_log_profile>(windrow_log_profile_init);
+    auto canopy = initial<windrow_canopy>(windrow_canopy_init);
+    auto roughness = initial<windrow_roughness>(windrow_roughness_init);
+    auto rows = initial<windrow_rows>(windrow_rows_init);
+    config.profile = &profile;
+    config.canopy = &canopy;
+    config.roughness = &roughness;
+    config.rows = &rows;
+    {
+        const auto wind = make(config);
+        ASSERT_EQ(windrow_wind_advance(wind.get(), 0.1, nullptr, nullptr), WINDROW_OK);
+        expect_covered("rough ground, canopy, rows", wind.get());
+        std::vector<float> heights(65 * 65);
+        for (std::size_t n = 0; n < heights.size(); ++n)
+            heights[n] = 4.0f + 3.0f * std::sin(0.3f * static_cast<float>(n % 65)) * std::cos(0.3f * static_cast<float>(n / 65));
+        windrow_height_map* map = nullptr;
+        ASSERT_EQ(windrow_height_map_create({65, 65}, 1.0f, heights.data(), heights.size(), &map), WINDROW_OK);
+        const Owned<windrow_height_map> owned(map);
+        auto hills = initial<windrow_obstacle>(windrow_obstacle_init);
+        hills.shape = windrow_shape_ground(map, {1.0f, 1.0f, 1.0f});
+        hills.position = {-32.0, windrow_wind_origin(wind.get()).y, -32.0};
+        ASSERT_EQ(windrow_wind_add_obstacle(wind.get(), &hills, nullptr), WINDROW_OK);
+        ASSERT_EQ(windrow_wind_step(wind.get(), 0.02, nullptr), WINDROW_OK);
+        expect_covered("terrain", wind.get());
+        auto blast = initial<windrow_omni_motor>(windrow_omni_motor_init);
+        ASSERT_EQ(windrow_wind_add_omni(wind.get(), &blast, nullptr), WINDROW_OK);
+        ASSERT_EQ(windrow_wind_step(wind.get(), 0.02, nullptr), WINDROW_OK);
+        expect_covered("volume source", wind.get());
+    }
+    config.gusts = &gusts;
+    const auto wind = make(config);
+    expect_covered("gusts", wind.get());
+    const int calls = heap.calls;
+    for (int n = 0; n < 10; ++n)
+        ASSERT_EQ(windrow_wind_step(wind.get(), 0.02, nullptr), WINDROW_OK);
+    EXPECT_EQ(heap.calls, calls) << "a step allocates";
+}
+
+TEST_F(HostHeap, WithoutMemoryIsAnError) {
+    const auto config = initial<windrow_config>(windrow_config_init);
+    heap.fails = true;
+    windrow_wind* wind = nullptr;
+    EXPECT_EQ(windrow_wind_create(&config, &wind), WINDROW_OUT_OF_MEMORY);
+    EXPECT_EQ(wind, nullptr);
+    EXPECT_TRUE(std::string(windrow_last_error()).starts_with("out of memory")) << windrow_last_error();
+    heap.fails = false;
+}
+
+} // namespace
