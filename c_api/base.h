@@ -7,7 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32)
+#if defined(_WIN32) && defined(WINDROW_C_BUILDS)
+#define WINDROW_API __declspec(dllexport)
+#elif defined(_WIN32)
 #define WINDROW_API __declspec(dllimport)
 #elif defined(__GNUC__)
 #define WINDROW_API __attribute__((visibility("default")))
@@ -45,6 +47,7 @@ enum {
     WINDROW_DISK_FULL = -5,     /* the disk cannot hold the file */
     WINDROW_UNSUPPORTED = -6,   /* this build lacks the part, or this backend lacks the call */
     WINDROW_NOT_READY = -7,     /* nothing has come back from the device yet */
+    WINDROW_DEVICE_LOST = -9,   /* make the device and what was made from it anew */
     WINDROW_INTERNAL = -8       /* an unexpected error inside the library: report it */
 };
 
@@ -107,7 +110,7 @@ WINDROW_API windrow_result windrow_set_allocator(windrow_allocate allocate, wind
 WINDROW_API uint64_t windrow_allocated_bytes(void);
 
 /* A host's parallel loop: calls task(argument, i) once for each i in [0, count), in any order and on any threads, and returns when all
-   are done. Results do not depend on the number of threads. */
+   are done. It must not throw. Results do not depend on the number of threads. */
 typedef void (*windrow_task)(void* argument, int32_t index);
 typedef void (*windrow_run)(void* context, int32_t count, windrow_task task, void* argument);
 typedef struct windrow_parallel_for {

@@ -43,7 +43,15 @@ windrow_result fail(windrow_result result, std::string_view sentence) noexcept {
 }
 
 windrow_result fail(const Error& error) noexcept {
-    return fail(error.message.starts_with(Error::k_out_of_memory) ? WINDROW_OUT_OF_MEMORY : WINDROW_REJECTED, error.message);
+    const std::string_view sentence = error.message;
+    const auto has = [&](std::string_view words) { return sentence.find(words) != std::string_view::npos; };
+    windrow_result result = WINDROW_REJECTED;
+    if (sentence.starts_with(Error::k_out_of_memory) || has("VK_ERROR_OUT_OF_HOST_MEMORY") ||
+        has("VK_ERROR_OUT_OF_DEVICE_MEMORY"))
+        result = WINDROW_OUT_OF_MEMORY;
+    else if (has("VK_ERROR_DEVICE_LOST"))
+        result = WINDROW_DEVICE_LOST;
+    return fail(result, sentence);
 }
 
 windrow_result fail_null(const char* argument) noexcept {

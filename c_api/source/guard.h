@@ -12,12 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-// Definitions are exported; whoever includes the header imports them.
-#if defined(_WIN32)
-#define WINDROW_EXPORT extern "C" __declspec(dllexport)
-#else
-#define WINDROW_EXPORT extern "C" __attribute__((visibility("default")))
-#endif
+#define WINDROW_EXPORT extern "C" WINDROW_API
 
 namespace windrow::c_api {
 

@@ -99,7 +99,7 @@ int main() {
     run({"the same, C from floats", 4, [&] { cpp->velocity(points, winds); },
          [&] { (void)windrow_wind_sample(c, &float_query); }});
     run({"follow", 20'000, [&] { (void)cpp->follow({0.0, 0.0, 0.0}); }, [&] { (void)windrow_wind_follow(c, {0.0, 0.0, 0.0}); }});
-    run({"move of a motor", 1,
+    run({"move of a motor", 100,
          [&] {
              (void)cpp->motors().move(*cpp_id, {x += 1e-6, 0.0, 0.0});
          },

@@ -2,10 +2,11 @@
 // nothing is lost. The functions of C are extern "C" and this test has no handler: an exception would end the program.
 #include "tests/unit/counted_new.h"
 
+#include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
 #include <string>
-#include <vector>
 #include <windrow/windrow.h>
 
 namespace {

@@ -3,10 +3,12 @@
 #include "fluid/wind.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <gtest/gtest.h>
-#include <utility>
+#include <memory>
+#include <string>
 #include <vector>
 #include <windrow/windrow.h>
 

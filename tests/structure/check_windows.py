@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """check_windows.py ROOT --shaders FOLDER [--compiler NAME] [--headers FOLDER]: the library compiles for Windows.
 
-Compiles each .cpp of fluid, fluid/cpu and fluid/vulkan with MinGW, without code and with the project's warnings as errors. Nothing
-is linked or run here; ./dev bits runs the core. FOLDER of --shaders holds the shader_words of the build. Prints what the compiler
+Compiles each .cpp of fluid, fluid/cpu, fluid/vulkan and c_api with MinGW, without code and with the project's warnings as errors.
+Nothing is linked or run here; ./dev bits runs the core. FOLDER of --shaders holds the shader_words of the build. Prints what the compiler
 says and exits with 1 if it rejects a file, and with a sentence if there is no compiler.
 """
 import argparse
@@ -14,11 +14,11 @@ import subprocess
 import sys
 import tempfile
 
-FOLDERS = ("fluid", "fluid/cpu", "fluid/vulkan")
+FOLDERS = ("fluid", "fluid/cpu", "fluid/vulkan", "c_api/source", "c_api/source/vulkan")
 # Of this machine, and the same for each; all of its other headers would stand before MinGW's.
 HEADERS = ("glm", "vulkan", "vk_video")
 OPTIONS = ("-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wno-sign-conversion", "-Werror",
-           "-DVK_NO_PROTOTYPES")
+           "-DVK_NO_PROTOTYPES", "-DWINDROW_C_BUILDS", "-DWINDROW_C_COUPLING=1", "-DWINDROW_C_VDB=1", "-DWINDROW_C_VULKAN=1")
 
 
 def main():

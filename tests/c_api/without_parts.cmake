@@ -1,0 +1,17 @@
+# Builds the C library without plants, files and devices: it has the same functions, and those of the missing parts return
+# WINDROW_UNSUPPORTED. The host runs with it, and so does a project in C after installation.
+include(${CMAKE_CURRENT_LIST_DIR}/../package/run.cmake)
+
+file(REMOVE_RECURSE ${WORK})
+run("Configuring" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${WINDROW} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_C_COMPILER=${CC}
+  -D CMAKE_BUILD_TYPE=Release -D WINDROW_COUPLING=OFF -D WINDROW_VDB=OFF -D WINDROW_VULKAN=OFF -D WINDROW_IMAGES=OFF
+  -D WINDROW_VEGETATION=OFF -D WINDROW_CLI=OFF -D WINDROW_EXAMPLES=OFF -D WINDROW_TESTS=ON)
+run("Building" ${CMAKE_COMMAND} --build ${WORK}/build --target windrow_c windrow_c_host)
+file(GLOB_RECURSE host ${WORK}/build/windrow_c_host)
+file(MAKE_DIRECTORY ${WORK}/files)
+run("Running the host" ${host} ${WORK}/files)
+run("Comparing with the headers" ${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/library_test.py ${WINDROW}/c_api ${WORK}/build/c_api/libwindrow.so)
+run("Reading what it needs" readelf --dynamic --wide ${WORK}/build/c_api/libwindrow.so)
+if(output MATCHES "openvdb|vulkan|tbb")
+  message(FATAL_ERROR "The library without parts needs:\n${output}")
+endif()
