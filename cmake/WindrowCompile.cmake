@@ -40,9 +40,10 @@ file(GLOB formulas RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
      ${PROJECT_SOURCE_DIR}/shaders/numerics/*.glsl ${PROJECT_SOURCE_DIR}/vegetation/shaders/numerics/*.glsl)
 file(REMOVE_RECURSE ${WINDROW_INCLUDE}/windrow)
 foreach(file IN LISTS WINDROW_PUBLIC_HEADERS formulas)
-  cmake_path(GET file PARENT_PATH folder)
+  string(REPLACE "c_api/windrow.h" "windrow.h" name ${file}) # the C interface: #include <windrow/windrow.h>
+  cmake_path(GET name PARENT_PATH folder)
   file(MAKE_DIRECTORY ${WINDROW_INCLUDE}/windrow/${folder})
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${file} ${WINDROW_INCLUDE}/windrow/${file} SYMBOLIC COPY_ON_ERROR)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${file} ${WINDROW_INCLUDE}/windrow/${name} SYMBOLIC COPY_ON_ERROR)
 endforeach()
 
 # windrow_library(TARGET COMPONENT): what each library of the package is: found as <windrow/...>, with position-independent code so that

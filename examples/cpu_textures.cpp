@@ -18,8 +18,8 @@
 #include "shader_words/air_frag.h"
 #include "shader_words/plane_vert.h"
 #include "shader_words/probe_frag.h"
-#include "vegetation/vulkan/canvas.h"
-#include "vegetation/vulkan/frames.h"
+#include <windrow/vegetation/vulkan/canvas.h>
+#include <windrow/vegetation/vulkan/frames.h>
 
 #include <cstdio>
 #include <fstream>

@@ -4,9 +4,9 @@
 // What is used here of vegetation/vulkan makes images and mapped buffers, as every engine does.
 #pragma once
 
-#include "fluid/vulkan/textures.h"
-#include "fluid/wind.h"
-#include "vegetation/vulkan/descriptors.h"
+#include <windrow/fluid/vulkan/textures.h>
+#include <windrow/fluid/wind.h>
+#include <windrow/vegetation/vulkan/descriptors.h>
 
 #include <vulkan/vulkan.h>
 

@@ -7,7 +7,7 @@
 // operator new; and the memory of a device, for which vulkan::Host::memory is the hook.
 #pragma once
 
-#include "fluid/result.h"
+#include "result.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Grids of floats over level ground as C++: the text of shaders/numerics/height_grid.glsl.
 #pragma once
 
-#include "fluid/portable_math.h"
+#include "portable_math.h"
 
 #include <cstddef>
 #include <glm/common.hpp>

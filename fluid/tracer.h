@@ -10,10 +10,10 @@
 // through an open boundary is lost, and nothing enters there. It moves with the box of the wind.
 #pragma once
 
-#include "fluid/operators.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
-#include "fluid/view.h"
+#include "operators.h"
+#include "parallel.h"
+#include "result.h"
+#include "view.h"
 
 #include <glm/vec3.hpp>
 #include <optional>

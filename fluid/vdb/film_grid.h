@@ -11,9 +11,9 @@
 // across a texel of gusts by at most h / 4 of the change of slope there: choose the voxel size by it (docs/vdb.md).
 #pragma once
 
-#include "fluid/parallel.h"
-#include "fluid/vdb/vdb_export.h"
-#include "fluid/view.h"
+#include "../parallel.h"
+#include "vdb_export.h"
+#include "../view.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

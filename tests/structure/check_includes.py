@@ -64,6 +64,11 @@ def within_root(root, file, name):
     return None
 
 
+def folder_of(root, here):
+    """Where the includes of a public header begin: windrow/windrow.h is installed a folder above the others of c_api."""
+    return root if here == "c_api/windrow.h" else (root / here).parent
+
+
 def breaches_of_include(root, file, name, public):
     """Why this file may not include this name: sentences."""
     here = file.relative_to(root).as_posix()
@@ -104,7 +109,7 @@ def breaches_of_include(root, file, name, public):
         yield "a public header may only include public ones (cmake/public_headers.txt)"
     if top == "examples" and target in public and not users_name:
         yield f"users write <windrow/{target}>"
-    if here in public and (target in public or (target or "").endswith(".glsl")) and not (file.parent / name).is_file():
+    if here in public and (target in public or (target or "").endswith(".glsl")) and not (folder_of(root, here) / name).is_file():
         yield "a public header names ours by the way from its own folder, so that a host's own file of that name is not found instead"
     if here in public and "/" in name and not target and not matches(name, ("glm/*", *VULKAN, *FOLDERS_OF_OURS, *OPENVDB, *OPENIMAGEIO)):
         yield "a public header needs GLM, the language's own library and, for the GPU, Vulkan; nothing else"
