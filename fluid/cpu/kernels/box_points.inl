@@ -56,7 +56,8 @@ inline void fade_at_ends(const PointAxis& axis, const Numbers<Lanes>& from_low, 
     }
 }
 
-// The share of the blend zone of an axis, around what the box follows.
+// The share of the blend zone of an axis, around what the box follows. The zone of the whole box may reach beyond a box that was read
+// out of it: this share and that of the ends both count.
 template <int Lanes>
 inline void fade_from_point(const PointAxis& axis, const Doubles<Lanes>& in_world, Numbers<Lanes>& share) {
     for_lanes<Lanes>([&](int n) {

@@ -20,9 +20,10 @@ bool has_f16c() {
 
 const Kernels* kernels_for(Simd level) {
 #if defined(WINDROW_X86_LEVELS)
+    // Asked once: it takes as long as a query of a point.
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_f16c();
     static const bool has_avx512 =
-        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
-    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_f16c(); // slow to ask
+        has_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
     if (has_avx512 && (level == Simd::best || level == Simd::avx512))
         return &avx512::k_kernels;
     if (has_avx2 && (level == Simd::best || level == Simd::avx2))

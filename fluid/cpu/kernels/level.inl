@@ -18,12 +18,12 @@ namespace {
 #include "fluid/cpu/kernels/stress.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
-// Points of a list.
+// Queries of points: formulas of shaders and remainders;
 #include "fluid/cpu/kernels/shader_text.inl"
 #include "fluid/cpu/kernels/wrap.inl"
-// Both of these are above.
+// groups of points;
 #include "fluid/cpu/kernels/points.inl"
-// So are points.
+// what is asked of them; and textures.
 #include "fluid/cpu/kernels/ambient_points.inl"
 #include "fluid/cpu/kernels/box_points.inl"
 #include "fluid/cpu/kernels/halves.inl"
