@@ -7,6 +7,7 @@
 // operator new; and the memory of a device, for which vulkan::Host::memory is the hook.
 #pragma once
 
+#include "api.h"
 #include "result.h"
 
 #include <cstddef>
@@ -15,8 +16,8 @@
 
 namespace windrow {
 namespace cpu {
-[[nodiscard]] void* allocate_aligned(std::size_t bytes); // throws std::bad_alloc
-void release_aligned(void* memory, std::size_t bytes);
+[[nodiscard]] WINDROW_API void* allocate_aligned(std::size_t bytes); // throws std::bad_alloc
+WINDROW_API void release_aligned(void* memory, std::size_t bytes);
 } // namespace cpu
 
 /// Two functions of the host with their context. Any thread that makes or destroys objects calls them.
@@ -31,9 +32,9 @@ struct Allocator {
 
 /// Sets the allocator of the whole process; both functions null: the library's own. Call it before the first object. Rejects one
 /// function without the other, and any change while memory is held.
-Result<void> set_allocator(const Allocator& allocator);
+WINDROW_API Result<void> set_allocator(const Allocator& allocator);
 /// [bytes] Held from the allocator now.
-[[nodiscard]] std::uint64_t allocated_bytes();
+[[nodiscard]] WINDROW_API std::uint64_t allocated_bytes();
 
 namespace detail {
 template <class T>

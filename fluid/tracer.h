@@ -10,6 +10,7 @@
 // through an open boundary is lost, and nothing enters there. It moves with the box of the wind.
 #pragma once
 
+#include "api.h"
 #include "operators.h"
 #include "parallel.h"
 #include "result.h"
@@ -22,7 +23,7 @@
 
 namespace windrow {
 
-class Tracer {
+class WINDROW_API Tracer {
   public:
     /// All 0, in the box of a wind.
     [[nodiscard]] static Result<Tracer> create(const WindView& air, const ParallelFor& parallel_for = {});

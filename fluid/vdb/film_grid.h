@@ -11,9 +11,10 @@
 // across a texel of gusts by at most h / 4 of the change of slope there: choose the voxel size by it (docs/vdb.md).
 #pragma once
 
+#include "../api.h"
 #include "../parallel.h"
-#include "vdb_export.h"
 #include "../view.h"
+#include "vdb_export.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -36,7 +37,7 @@ struct Region {
 
 /// The box of a wind and `margin` [m] more on each side, no margin below a wall. `voxel_size` 0: that of its cells, along y that of
 /// the lowest row.
-[[nodiscard]] Region region_around(const WindView& air, double margin = 0.0, float voxel_size = 0.0f);
+[[nodiscard]] WINDROW_API Region region_around(const WindView& air, double margin = 0.0, float voxel_size = 0.0f);
 
 /// A scalar of the wind's cells to show beside the wind.
 struct CellScalar {
@@ -72,6 +73,6 @@ struct FilmGrid {
 
 /// Rejects a region without extent, and more voxels than a box may have cells. Takes 16 bytes a voxel for the velocity, 16 for the
 /// vorticity and 4 for each scalar.
-[[nodiscard]] Result<FilmGrid> film_grid(const WindView& air, const FilmSettings& settings = {});
+[[nodiscard]] WINDROW_API Result<FilmGrid> film_grid(const WindView& air, const FilmSettings& settings = {});
 
 } // namespace windrow::vdb

@@ -122,7 +122,7 @@ enum class Format : std::uint8_t {
 };
 
 /// Whether this build writes NanoVDB (Debian: libnanovdb-dev).
-[[nodiscard]] bool has_nanovdb();
+[[nodiscard]] WINDROW_API bool has_nanovdb();
 
 struct Options {
     /// Name of the grid, not empty, without '/' and control characters. Default "vel": Blender 3.4 takes velocity, vel and v for
