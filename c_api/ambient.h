@@ -18,14 +18,14 @@ typedef struct windrow_sampling {
     float detail;        /* over the local speed; 0: none */
     float detail_length; /* [m] */
 } windrow_sampling;
-WINDROW_API windrow_result windrow_sampling_init(windrow_sampling* sampling, uint32_t struct_size);
-WINDROW_API windrow_result windrow_sampling_validate(const windrow_sampling* sampling);
+WINDROW_C_API windrow_result windrow_sampling_init(windrow_sampling* sampling, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_sampling_validate(const windrow_sampling* sampling);
 
 /* The pattern of gusts, constant after creation: 128 x 16 x 128 texels of four floats. */
-WINDROW_API windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust_tile** tile);
+WINDROW_C_API windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust_tile** tile);
 /* What uses the tile keeps it. */
-WINDROW_API void windrow_gust_tile_destroy(windrow_gust_tile* tile);
-WINDROW_API const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count);
+WINDROW_C_API void windrow_gust_tile_destroy(windrow_gust_tile* tile);
+WINDROW_C_API const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count);
 
 typedef struct windrow_ambient_wind windrow_ambient_wind;
 typedef struct windrow_ambient_settings {
@@ -35,33 +35,34 @@ typedef struct windrow_ambient_settings {
     const windrow_gusts* gusts;         /* null: none */
     double ground;                      /* [m] */
 } windrow_ambient_settings;
-WINDROW_API windrow_result windrow_ambient_settings_init(windrow_ambient_settings* settings, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_ambient_settings_init(windrow_ambient_settings* settings, uint32_t struct_size);
 
-WINDROW_API windrow_result windrow_ambient_wind_create(const windrow_ambient_settings* settings, windrow_ambient_wind** ambient);
+WINDROW_C_API windrow_result windrow_ambient_wind_create(const windrow_ambient_settings* settings,
+                                                         windrow_ambient_wind** ambient);
 /* A copy of the ambient wind around a wind's box, of this frame or of the last one. */
-WINDROW_API windrow_result windrow_ambient_wind_of(const windrow_wind* wind, int32_t frame, windrow_ambient_wind** ambient);
-WINDROW_API void windrow_ambient_wind_destroy(windrow_ambient_wind* ambient);
-WINDROW_API windrow_result windrow_ambient_wind_advance(windrow_ambient_wind* ambient, double dt);
-WINDROW_API windrow_result windrow_ambient_wind_set_mean(windrow_ambient_wind* ambient, windrow_vec3 mean);
-WINDROW_API windrow_result windrow_ambient_wind_set_ground(windrow_ambient_wind* ambient, double height);
-WINDROW_API windrow_result windrow_ambient_wind_set_phase(windrow_ambient_wind* ambient, windrow_dvec3 phase);
-WINDROW_API windrow_dvec3 windrow_ambient_wind_phase(const windrow_ambient_wind* ambient);
+WINDROW_C_API windrow_result windrow_ambient_wind_of(const windrow_wind* wind, int32_t frame, windrow_ambient_wind** ambient);
+WINDROW_C_API void windrow_ambient_wind_destroy(windrow_ambient_wind* ambient);
+WINDROW_C_API windrow_result windrow_ambient_wind_advance(windrow_ambient_wind* ambient, double dt);
+WINDROW_C_API windrow_result windrow_ambient_wind_set_mean(windrow_ambient_wind* ambient, windrow_vec3 mean);
+WINDROW_C_API windrow_result windrow_ambient_wind_set_ground(windrow_ambient_wind* ambient, double height);
+WINDROW_C_API windrow_result windrow_ambient_wind_set_phase(windrow_ambient_wind* ambient, windrow_dvec3 phase);
+WINDROW_C_API windrow_dvec3 windrow_ambient_wind_phase(const windrow_ambient_wind* ambient);
 /* [m] Period of the gusts along x and z. */
-WINDROW_API double windrow_ambient_wind_period(const windrow_ambient_wind* ambient);
-WINDROW_API windrow_vec3 windrow_ambient_wind_mean(const windrow_ambient_wind* ambient);
-WINDROW_API double windrow_ambient_wind_ground(const windrow_ambient_wind* ambient);
+WINDROW_C_API double windrow_ambient_wind_period(const windrow_ambient_wind* ambient);
+WINDROW_C_API windrow_vec3 windrow_ambient_wind_mean(const windrow_ambient_wind* ambient);
+WINDROW_C_API double windrow_ambient_wind_ground(const windrow_ambient_wind* ambient);
 /* Factor of the mean wind at a world height [m]. */
-WINDROW_API float windrow_ambient_wind_profile_at(const windrow_ambient_wind* ambient, double height);
+WINDROW_C_API float windrow_ambient_wind_profile_at(const windrow_ambient_wind* ambient, double height);
 /* [m/s] */
-WINDROW_API windrow_result windrow_ambient_wind_velocity(const windrow_ambient_wind* ambient, windrow_dvec3 position,
-                                                         windrow_vec3* velocity);
+WINDROW_C_API windrow_result windrow_ambient_wind_velocity(const windrow_ambient_wind* ambient, windrow_dvec3 position,
+                                                           windrow_vec3* velocity);
 /* [m/s] That acts on a plant; `velocity` is the wind there, and receives what acts. */
-WINDROW_API windrow_result windrow_ambient_wind_felt(const windrow_ambient_wind* ambient, windrow_dvec3 position,
-                                                     const windrow_sampling* sampling, windrow_vec3* velocity);
-WINDROW_API windrow_result windrow_ambient_wind_block(const windrow_ambient_wind* ambient, windrow_dvec3 anchor,
-                                                      const windrow_sampling* sampling, windrow_ambient_block* block);
+WINDROW_C_API windrow_result windrow_ambient_wind_felt(const windrow_ambient_wind* ambient, windrow_dvec3 position,
+                                                       const windrow_sampling* sampling, windrow_vec3* velocity);
+WINDROW_C_API windrow_result windrow_ambient_wind_block(const windrow_ambient_wind* ambient, windrow_dvec3 anchor,
+                                                        const windrow_sampling* sampling, windrow_ambient_block* block);
 /* Its tile, null where it has none; destroy it. */
-WINDROW_API windrow_result windrow_ambient_wind_tile(const windrow_ambient_wind* ambient, windrow_gust_tile** tile);
+WINDROW_C_API windrow_result windrow_ambient_wind_tile(const windrow_ambient_wind* ambient, windrow_gust_tile** tile);
 
 /* A spatially uniform gust by a closed formula. */
 typedef struct windrow_uniform_gust {
@@ -72,8 +73,8 @@ typedef struct windrow_uniform_gust {
     windrow_vec3 direction;
     uint32_t reserved; /* 0 */
 } windrow_uniform_gust;
-WINDROW_API windrow_result windrow_uniform_gust_init(windrow_uniform_gust* gust, uint32_t struct_size);
-WINDROW_API windrow_result windrow_uniform_gust_velocity(const windrow_uniform_gust* gust, double time, windrow_vec3* velocity);
+WINDROW_C_API windrow_result windrow_uniform_gust_init(windrow_uniform_gust* gust, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_uniform_gust_velocity(const windrow_uniform_gust* gust, double time, windrow_vec3* velocity);
 
 #ifdef __cplusplus
 }

@@ -8,13 +8,13 @@
 #include <stdint.h>
 
 #if defined(_WIN32) && defined(WINDROW_C_BUILDS)
-#define WINDROW_API __declspec(dllexport)
+#define WINDROW_C_API __declspec(dllexport)
 #elif defined(_WIN32)
-#define WINDROW_API __declspec(dllimport)
+#define WINDROW_C_API __declspec(dllimport)
 #elif defined(__GNUC__)
-#define WINDROW_API __attribute__((visibility("default")))
+#define WINDROW_C_API __attribute__((visibility("default")))
 #else
-#define WINDROW_API
+#define WINDROW_C_API
 #endif
 
 #ifdef __cplusplus
@@ -24,15 +24,15 @@ extern "C" {
 /* --- Version ------------------------------------------------------------------------------------------------------------- */
 
 /* WINDROW_VERSION of the library that runs. The header's own is the macro. */
-WINDROW_API uint32_t windrow_version(void);
+WINDROW_C_API uint32_t windrow_version(void);
 /* The same as text, "0.1.0". */
-WINDROW_API const char* windrow_version_string(void);
+WINDROW_C_API const char* windrow_version_string(void);
 
 /* Parts that a build may leave out. Their functions are always there; without the part they return WINDROW_UNSUPPORTED. */
 typedef int32_t windrow_part;
 enum { WINDROW_PART_COUPLING = 0, WINDROW_PART_VDB = 1, WINDROW_PART_VULKAN = 2 };
 /* 1 if this library has the part. */
-WINDROW_API int32_t windrow_has_part(windrow_part part);
+WINDROW_C_API int32_t windrow_has_part(windrow_part part);
 
 /* --- Results ------------------------------------------------------------------------------------------------------------- */
 
@@ -54,7 +54,7 @@ enum {
 /* The sentence of the last call in this thread that failed: what is wrong, its value, the fix; all reasons, one a line. UTF-8. It is
    good until the next call of this thread that fails. Empty before the first. Functions that return a value in place of a result
    return 0 for a null handle, and the sentence says which argument is null. */
-WINDROW_API const char* windrow_last_error(void);
+WINDROW_C_API const char* windrow_last_error(void);
 
 /* --- Numbers ------------------------------------------------------------------------------------------------------------- */
 
@@ -97,7 +97,7 @@ enum { WINDROW_SEVERITY_WARNING = 0, WINDROW_SEVERITY_ERROR = 1 };
 /* Called with the sentence of each call that fails, and with warnings; by the thread that calls the library, or by a driver's. */
 typedef void (*windrow_logger)(windrow_severity severity, const char* sentence, void* user);
 /* Null: no longer. Set it while no other thread is inside the library. */
-WINDROW_API void windrow_set_logger(windrow_logger logger, void* user);
+WINDROW_C_API void windrow_set_logger(windrow_logger logger, void* user);
 
 /* Memory for the large arrays of all winds, at least 99 % of windrow_wind_memory_bytes on the CPU: cells, scratch and tables of the
    solver, tiles of gusts. `alignment` is a power of two from 64 on. Null is out of memory. Called by any thread that makes objects.
@@ -105,9 +105,9 @@ WINDROW_API void windrow_set_logger(windrow_logger logger, void* user);
 typedef void* (*windrow_allocate)(size_t bytes, size_t alignment, void* user);
 typedef void (*windrow_release)(void* memory, size_t bytes, size_t alignment, void* user);
 /* Both or neither; null: the library's own. Rejected while memory of the other allocator is held. */
-WINDROW_API windrow_result windrow_set_allocator(windrow_allocate allocate, windrow_release release, void* user);
+WINDROW_C_API windrow_result windrow_set_allocator(windrow_allocate allocate, windrow_release release, void* user);
 /* [bytes] Held from the allocator now. */
-WINDROW_API uint64_t windrow_allocated_bytes(void);
+WINDROW_C_API uint64_t windrow_allocated_bytes(void);
 
 /* A host's parallel loop: calls task(argument, i) once for each i in [0, count), in any order and on any threads, and returns when all
    are done. It must not throw. Results do not depend on the number of threads. */
@@ -121,18 +121,18 @@ typedef struct windrow_parallel_for {
 /* A small pool for hosts without a job system. */
 typedef struct windrow_thread_pool windrow_thread_pool;
 /* `threads` in all, the caller's included; 0: one a core. */
-WINDROW_API windrow_result windrow_thread_pool_create(int32_t threads, windrow_thread_pool** pool);
-WINDROW_API void windrow_thread_pool_destroy(windrow_thread_pool* pool);
-WINDROW_API int32_t windrow_thread_pool_size(const windrow_thread_pool* pool);
+WINDROW_C_API windrow_result windrow_thread_pool_create(int32_t threads, windrow_thread_pool** pool);
+WINDROW_C_API void windrow_thread_pool_destroy(windrow_thread_pool* pool);
+WINDROW_C_API int32_t windrow_thread_pool_size(const windrow_thread_pool* pool);
 /* The loop to hand to a config. The pool outlives what was made with it. */
-WINDROW_API windrow_parallel_for windrow_thread_pool_parallel_for(windrow_thread_pool* pool);
+WINDROW_C_API windrow_parallel_for windrow_thread_pool_parallel_for(windrow_thread_pool* pool);
 
 /* --- Bytes that the library made: a snapshot, a log ---------------------------------------------------------------------- */
 
 typedef struct windrow_bytes windrow_bytes;
-WINDROW_API const uint8_t* windrow_bytes_data(const windrow_bytes* bytes);
-WINDROW_API uint64_t windrow_bytes_size(const windrow_bytes* bytes);
-WINDROW_API void windrow_bytes_destroy(windrow_bytes* bytes);
+WINDROW_C_API const uint8_t* windrow_bytes_data(const windrow_bytes* bytes);
+WINDROW_C_API uint64_t windrow_bytes_size(const windrow_bytes* bytes);
+WINDROW_C_API void windrow_bytes_destroy(windrow_bytes* bytes);
 
 #ifdef __cplusplus
 }

@@ -35,9 +35,9 @@ typedef struct windrow_boundary {
 typedef struct windrow_boundaries {
     windrow_boundary x_low, x_high, y_low, y_high, z_low, z_high;
 } windrow_boundaries;
-WINDROW_API windrow_boundaries windrow_boundaries_all(windrow_boundary_kind kind);
+WINDROW_C_API windrow_boundaries windrow_boundaries_all(windrow_boundary_kind kind);
 /* Open air over a free-slip floor. */
-WINDROW_API windrow_boundaries windrow_boundaries_open_over_floor(void);
+WINDROW_C_API windrow_boundaries windrow_boundaries_open_over_floor(void);
 
 /* Wind over open ground: log((z + z0) / z0). */
 typedef struct windrow_log_profile {
@@ -45,7 +45,7 @@ typedef struct windrow_log_profile {
     float roughness_length; /* [m] */
     float reference_height; /* [m] */
 } windrow_log_profile;
-WINDROW_API windrow_result windrow_log_profile_init(windrow_log_profile* profile, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_log_profile_init(windrow_log_profile* profile, uint32_t struct_size);
 
 /* A pattern that the mean wind carries along. */
 typedef struct windrow_gusts {
@@ -55,7 +55,7 @@ typedef struct windrow_gusts {
     uint32_t seed;                 /* of the pattern */
     const windrow_gust_tile* tile; /* the pattern itself, to be used by many winds; null: made from the seed */
 } windrow_gusts;
-WINDROW_API windrow_result windrow_gusts_init(windrow_gusts* gusts, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_gusts_init(windrow_gusts* gusts, uint32_t struct_size);
 
 /* Drag of plants on the floor. */
 typedef struct windrow_canopy {
@@ -63,7 +63,7 @@ typedef struct windrow_canopy {
     float height; /* [m] */
     float drag;   /* [1/m] */
 } windrow_canopy;
-WINDROW_API windrow_result windrow_canopy_init(windrow_canopy* canopy, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_canopy_init(windrow_canopy* canopy, uint32_t struct_size);
 
 /* Roughness lengths by place. */
 typedef struct windrow_roughness_map {
@@ -74,7 +74,7 @@ typedef struct windrow_roughness_map {
     windrow_vec3 scale;
     uint32_t reserved_2; /* 0 */
 } windrow_roughness_map;
-WINDROW_API windrow_result windrow_roughness_map_init(windrow_roughness_map* map, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_roughness_map_init(windrow_roughness_map* map, uint32_t struct_size);
 
 /* Rough ground. */
 typedef struct windrow_roughness {
@@ -84,7 +84,7 @@ typedef struct windrow_roughness {
     uint32_t reserved;                /* 0 */
     const windrow_roughness_map* map; /* null: `length` everywhere */
 } windrow_roughness;
-WINDROW_API windrow_result windrow_roughness_init(windrow_roughness* roughness, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_roughness_init(windrow_roughness* roughness, uint32_t struct_size);
 
 /* Rows of cells of unequal thickness. */
 typedef struct windrow_rows {
@@ -96,7 +96,7 @@ typedef struct windrow_rows {
     uint32_t height_count; /* of `heights` */
     const float* heights;  /* [m] of the rows' centres, one a row, in place of the law; null: none */
 } windrow_rows;
-WINDROW_API windrow_result windrow_rows_init(windrow_rows* rows, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_rows_init(windrow_rows* rows, uint32_t struct_size);
 
 typedef int32_t windrow_scheme;
 enum { WINDROW_SCHEME_SECOND_ORDER = 0, WINDROW_SCHEME_STABLE_FLUIDS = 1 };
@@ -105,9 +105,9 @@ enum { WINDROW_INTERPOLATION_LINEAR = 0, WINDROW_INTERPOLATION_CUBIC = 1 };
 typedef int32_t windrow_simd;
 enum { WINDROW_SIMD_BEST = 0, WINDROW_SIMD_BASELINE = 1, WINDROW_SIMD_AVX2 = 2, WINDROW_SIMD_AVX512 = 3 };
 /* 1 if this machine supports a level. */
-WINDROW_API int32_t windrow_simd_runs(windrow_simd level);
+WINDROW_C_API int32_t windrow_simd_runs(windrow_simd level);
 /* "baseline", "avx2", "avx512"; for the best level the one that it stands for here. */
-WINDROW_API const char* windrow_simd_name(windrow_simd level);
+WINDROW_C_API const char* windrow_simd_name(windrow_simd level);
 
 /* Axes that the box follows, as bits. */
 enum { WINDROW_FOLLOW_DEFAULT = -1, WINDROW_FOLLOW_X = 1, WINDROW_FOLLOW_Y = 2, WINDROW_FOLLOW_Z = 4 };
@@ -151,9 +151,9 @@ typedef struct windrow_config {
     windrow_parallel_for parallel_for;
 } windrow_config;
 /* The defaults: 32 x 16 x 32 cells of 1 m, open air, no wind. */
-WINDROW_API windrow_result windrow_config_init(windrow_config* config, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_config_init(windrow_config* config, uint32_t struct_size);
 /* All reasons why a config is invalid, one per line. */
-WINDROW_API windrow_result windrow_config_validate(const windrow_config* config);
+WINDROW_C_API windrow_result windrow_config_validate(const windrow_config* config);
 
 #ifdef __cplusplus
 }

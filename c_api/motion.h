@@ -27,16 +27,16 @@ enum {
     WINDROW_SPRING_BRANCH = 6,
     WINDROW_SPRING_TRUNK = 7
 };
-WINDROW_API windrow_result windrow_spring_class_of(windrow_spring_plant plant, windrow_spring_class* spring);
+WINDROW_C_API windrow_result windrow_spring_class_of(windrow_spring_plant plant, windrow_spring_class* spring);
 
 /* The coefficients of a step, once a frame and class. */
 typedef struct windrow_spring_step {
     double place_place, place_velocity, place_target, velocity_place, velocity_velocity, velocity_target;
 } windrow_spring_step;
 /* `duration` [s], 0 or more. */
-WINDROW_API windrow_result windrow_spring_step_make(const windrow_spring_class* spring, double duration,
-                                                    windrow_spring_step* step);
-WINDROW_API windrow_result windrow_spring_step_block(const windrow_spring_step* step, windrow_spring_block* block);
+WINDROW_C_API windrow_result windrow_spring_step_make(const windrow_spring_class* spring, double duration,
+                                                      windrow_spring_step* step);
+WINDROW_C_API windrow_result windrow_spring_step_block(const windrow_spring_step* step, windrow_spring_block* block);
 
 /* Springs side by side, `count` numbers each: floats or doubles by the call. The last three may be null. */
 typedef struct windrow_spring_batch {
@@ -49,19 +49,19 @@ typedef struct windrow_spring_batch {
     void* velocity_remainder;
     void* place_previous;
 } windrow_spring_batch;
-WINDROW_API windrow_result windrow_springs_advance_float(const windrow_spring_step* step, const windrow_spring_batch* batch,
-                                                         const windrow_parallel_for* parallel_for);
-WINDROW_API windrow_result windrow_springs_advance_double(const windrow_spring_step* step, const windrow_spring_batch* batch,
-                                                          const windrow_parallel_for* parallel_for);
+WINDROW_C_API windrow_result windrow_springs_advance_float(const windrow_spring_step* step, const windrow_spring_batch* batch,
+                                                           const windrow_parallel_for* parallel_for);
+WINDROW_C_API windrow_result windrow_springs_advance_double(const windrow_spring_step* step, const windrow_spring_batch* batch,
+                                                            const windrow_parallel_for* parallel_for);
 
 /* --- Cascades: each stage follows the one before ------------------------------------------------------------------------- */
 
 typedef struct windrow_cascade_step windrow_cascade_step;
 /* `stages` of 1 to 4096. */
-WINDROW_API windrow_result windrow_cascade_step_create(int32_t stages, windrow_cascade_step** step);
-WINDROW_API void windrow_cascade_step_destroy(windrow_cascade_step* step);
+WINDROW_C_API windrow_result windrow_cascade_step_create(int32_t stages, windrow_cascade_step** step);
+WINDROW_C_API void windrow_cascade_step_destroy(windrow_cascade_step* step);
 /* A step of `duration` [s] at `rate` [1/s]. */
-WINDROW_API windrow_result windrow_cascade_step_set(windrow_cascade_step* step, double rate, double duration);
+WINDROW_C_API windrow_result windrow_cascade_step_set(windrow_cascade_step* step, double rate, double duration);
 /* Rows side by side: stage i of row k is value[(i - 1) * rows + k]; floats or doubles by the call. */
 typedef struct windrow_cascade_batch {
     uint64_t rows;
@@ -70,10 +70,10 @@ typedef struct windrow_cascade_batch {
     const void* body_now;    /* rows */
     void* remainder;         /* as `value`, or null */
 } windrow_cascade_batch;
-WINDROW_API windrow_result windrow_cascades_advance_float(const windrow_cascade_step* step, const windrow_cascade_batch* batch,
-                                                          const windrow_parallel_for* parallel_for);
-WINDROW_API windrow_result windrow_cascades_advance_double(const windrow_cascade_step* step, const windrow_cascade_batch* batch,
-                                                           const windrow_parallel_for* parallel_for);
+WINDROW_C_API windrow_result windrow_cascades_advance_float(const windrow_cascade_step* step, const windrow_cascade_batch* batch,
+                                                            const windrow_parallel_for* parallel_for);
+WINDROW_C_API windrow_result windrow_cascades_advance_double(const windrow_cascade_step* step, const windrow_cascade_batch* batch,
+                                                             const windrow_parallel_for* parallel_for);
 
 typedef struct windrow_pose {
     windrow_dvec3 position; /* [m] in the world */
@@ -85,24 +85,24 @@ typedef struct windrow_cascade_config {
     int32_t stages;
     double lag; /* [s] */
 } windrow_cascade_config;
-WINDROW_API windrow_result windrow_cascade_config_init(windrow_cascade_config* config, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_cascade_config_init(windrow_cascade_config* config, uint32_t struct_size);
 
 /* The lag of one body's fur. */
 typedef struct windrow_cascade windrow_cascade;
-WINDROW_API windrow_result windrow_cascade_create(const windrow_cascade_config* config, const windrow_pose* body,
-                                                  windrow_cascade** cascade);
-WINDROW_API void windrow_cascade_destroy(windrow_cascade* cascade);
-WINDROW_API windrow_result windrow_cascade_advance(windrow_cascade* cascade, double duration, const windrow_pose* body);
-WINDROW_API windrow_result windrow_cascade_reset(windrow_cascade* cascade, const windrow_pose* body);
-WINDROW_API windrow_result windrow_cascade_move(windrow_cascade* cascade, windrow_dvec3 offset);
+WINDROW_C_API windrow_result windrow_cascade_create(const windrow_cascade_config* config, const windrow_pose* body,
+                                                    windrow_cascade** cascade);
+WINDROW_C_API void windrow_cascade_destroy(windrow_cascade* cascade);
+WINDROW_C_API windrow_result windrow_cascade_advance(windrow_cascade* cascade, double duration, const windrow_pose* body);
+WINDROW_C_API windrow_result windrow_cascade_reset(windrow_cascade* cascade, const windrow_pose* body);
+WINDROW_C_API windrow_result windrow_cascade_move(windrow_cascade* cascade, windrow_dvec3 offset);
 /* At a height of 0 (the body) to 1 (the tip), now or before the last advance. */
-WINDROW_API windrow_result windrow_cascade_at(const windrow_cascade* cascade, double height, windrow_pose* pose);
-WINDROW_API windrow_result windrow_cascade_previous_at(const windrow_cascade* cascade, double height, windrow_pose* pose);
+WINDROW_C_API windrow_result windrow_cascade_at(const windrow_cascade* cascade, double height, windrow_pose* pose);
+WINDROW_C_API windrow_result windrow_cascade_previous_at(const windrow_cascade* cascade, double height, windrow_pose* pose);
 /* Stages + 1 blocks, relative to `anchor` [m]; good until the next call with this cascade. */
-WINDROW_API windrow_result windrow_cascade_shader_poses(windrow_cascade* cascade, windrow_dvec3 anchor,
-                                                        const windrow_pose_block** poses, uint64_t* count);
-WINDROW_API windrow_result windrow_cascade_previous_shader_poses(windrow_cascade* cascade, windrow_dvec3 anchor,
-                                                                 const windrow_pose_block** poses, uint64_t* count);
+WINDROW_C_API windrow_result windrow_cascade_shader_poses(windrow_cascade* cascade, windrow_dvec3 anchor,
+                                                          const windrow_pose_block** poses, uint64_t* count);
+WINDROW_C_API windrow_result windrow_cascade_previous_shader_poses(windrow_cascade* cascade, windrow_dvec3 anchor,
+                                                                   const windrow_pose_block** poses, uint64_t* count);
 
 /* --- Ground memory ------------------------------------------------------------------------------------------------------- */
 
@@ -121,7 +121,7 @@ typedef struct windrow_ground_config {
     int32_t max_walkers;
     uint32_t reserved; /* 0 */
 } windrow_ground_config;
-WINDROW_API windrow_result windrow_ground_config_init(windrow_ground_config* config, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_ground_config_init(windrow_ground_config* config, uint32_t struct_size);
 
 /* A foot, a body, a wheel. */
 typedef struct windrow_ground_walker {
@@ -140,7 +140,7 @@ typedef struct windrow_ground_step {
     uint64_t walker_count;
     const windrow_ground_walker* walkers;
 } windrow_ground_step;
-WINDROW_API windrow_result windrow_ground_step_init(windrow_ground_step* step, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_ground_step_init(windrow_ground_step* step, uint32_t struct_size);
 typedef struct windrow_ground_sample {
     windrow_vec2 lean; /* [rad] */
     float trample;     /* 0 to 1 */
@@ -148,24 +148,25 @@ typedef struct windrow_ground_sample {
 } windrow_ground_sample;
 
 typedef struct windrow_ground windrow_ground;
-WINDROW_API windrow_result windrow_ground_create(const windrow_ground_config* config, const windrow_parallel_for* parallel_for,
-                                                 windrow_ground** ground);
-WINDROW_API void windrow_ground_destroy(windrow_ground* ground);
-WINDROW_API windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point);
+WINDROW_C_API windrow_result windrow_ground_create(const windrow_ground_config* config, const windrow_parallel_for* parallel_for,
+                                                   windrow_ground** ground);
+WINDROW_C_API void windrow_ground_destroy(windrow_ground* ground);
+WINDROW_C_API windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point);
 /* `wind_leans`, of `count` entries, one a texel; null: step.wind_lean everywhere. */
-WINDROW_API windrow_result windrow_ground_advance(windrow_ground* ground, const windrow_ground_step* step,
-                                                  const windrow_vec2* wind_leans, uint64_t count);
-WINDROW_API int32_t windrow_ground_walkers_left_out(const windrow_ground* ground);
+WINDROW_C_API windrow_result windrow_ground_advance(windrow_ground* ground, const windrow_ground_step* step,
+                                                    const windrow_vec2* wind_leans, uint64_t count);
+WINDROW_C_API int32_t windrow_ground_walkers_left_out(const windrow_ground* ground);
 /* [m] x and z of what a slot holds after the next advance. */
-WINDROW_API windrow_dvec2 windrow_ground_next_centre(const windrow_ground* ground, windrow_ivec2 slot);
-WINDROW_API windrow_result windrow_ground_at(const windrow_ground* ground, windrow_dvec3 position, windrow_ground_sample* sample);
-WINDROW_API windrow_result windrow_ground_previous_at(const windrow_ground* ground, windrow_dvec3 position,
-                                                      windrow_ground_sample* sample);
+WINDROW_C_API windrow_dvec2 windrow_ground_next_centre(const windrow_ground* ground, windrow_ivec2 slot);
+WINDROW_C_API windrow_result windrow_ground_at(const windrow_ground* ground, windrow_dvec3 position,
+                                               windrow_ground_sample* sample);
+WINDROW_C_API windrow_result windrow_ground_previous_at(const windrow_ground* ground, windrow_dvec3 position,
+                                                        windrow_ground_sample* sample);
 /* For shaders: lean x, lean z, trample, length of the trail. Good until the next advance. */
-WINDROW_API const windrow_vec4* windrow_ground_texels(const windrow_ground* ground, uint64_t* count);
-WINDROW_API const windrow_vec4* windrow_ground_previous_texels(const windrow_ground* ground, uint64_t* count);
-WINDROW_API windrow_result windrow_ground_block_of(const windrow_ground* ground, windrow_dvec3 anchor,
-                                                   windrow_ground_block* block);
+WINDROW_C_API const windrow_vec4* windrow_ground_texels(const windrow_ground* ground, uint64_t* count);
+WINDROW_C_API const windrow_vec4* windrow_ground_previous_texels(const windrow_ground* ground, uint64_t* count);
+WINDROW_C_API windrow_result windrow_ground_block_of(const windrow_ground* ground, windrow_dvec3 anchor,
+                                                     windrow_ground_block* block);
 
 #ifdef __cplusplus
 }

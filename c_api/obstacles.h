@@ -13,24 +13,24 @@ extern "C" {
 
 /* A closed mesh of triangles. */
 typedef struct windrow_mesh windrow_mesh;
-WINDROW_API windrow_result windrow_mesh_create(const windrow_vec3* vertices, uint64_t vertex_count, const uint32_t* indices,
-                                               uint64_t triangle_count, windrow_mesh** mesh);
-WINDROW_API void windrow_mesh_destroy(windrow_mesh* mesh);
+WINDROW_C_API windrow_result windrow_mesh_create(const windrow_vec3* vertices, uint64_t vertex_count, const uint32_t* indices,
+                                                 uint64_t triangle_count, windrow_mesh** mesh);
+WINDROW_C_API void windrow_mesh_destroy(windrow_mesh* mesh);
 /* [m] From a point to its surface, negative inside. */
-WINDROW_API float windrow_mesh_distance(const windrow_mesh* mesh, windrow_vec3 point);
+WINDROW_C_API float windrow_mesh_distance(const windrow_mesh* mesh, windrow_vec3 point);
 
 /* Closed cells of a grid: one byte a cell, 0 is open; x fastest, z slowest. */
 typedef struct windrow_voxels windrow_voxels;
-WINDROW_API windrow_result windrow_voxels_create(windrow_ivec3 cells, const uint8_t* closed, uint64_t count,
-                                                 windrow_voxels** voxels);
-WINDROW_API void windrow_voxels_destroy(windrow_voxels* voxels);
+WINDROW_C_API windrow_result windrow_voxels_create(windrow_ivec3 cells, const uint8_t* closed, uint64_t count,
+                                                   windrow_voxels** voxels);
+WINDROW_C_API void windrow_voxels_destroy(windrow_voxels* voxels);
 
 /* Heights [m] at the corners of a grid, x fastest. */
-WINDROW_API windrow_result windrow_height_map_create(windrow_ivec2 corners, float spacing, const float* heights, uint64_t count,
-                                                     windrow_height_map** map);
-WINDROW_API void windrow_height_map_destroy(windrow_height_map* map);
-WINDROW_API float windrow_height_map_height(const windrow_height_map* map, windrow_vec2 place);
-WINDROW_API windrow_vec3 windrow_height_map_normal(const windrow_height_map* map, windrow_vec2 place);
+WINDROW_C_API windrow_result windrow_height_map_create(windrow_ivec2 corners, float spacing, const float* heights, uint64_t count,
+                                                       windrow_height_map** map);
+WINDROW_C_API void windrow_height_map_destroy(windrow_height_map* map);
+WINDROW_C_API float windrow_height_map_height(const windrow_height_map* map, windrow_vec2 place);
+WINDROW_C_API windrow_vec3 windrow_height_map_normal(const windrow_height_map* map, windrow_vec2 place);
 
 /* --- Shapes -------------------------------------------------------------------------------------------------------------- */
 
@@ -59,14 +59,14 @@ typedef struct windrow_shape {
     const windrow_voxels* voxels;
     const windrow_height_map* heights; /* ground */
 } windrow_shape;
-WINDROW_API windrow_shape windrow_shape_sphere(float radius);
-WINDROW_API windrow_shape windrow_shape_capsule(windrow_vec3 half_axis, float radius);
-WINDROW_API windrow_shape windrow_shape_block(windrow_vec3 half_size);
-WINDROW_API windrow_shape windrow_shape_cylinder(float radius, float half_length);
-WINDROW_API windrow_shape windrow_shape_plate(windrow_vec2 half_size);
-WINDROW_API windrow_shape windrow_shape_mesh(const windrow_mesh* mesh, float scale);
-WINDROW_API windrow_shape windrow_shape_voxels(const windrow_voxels* voxels, float cell_size);
-WINDROW_API windrow_shape windrow_shape_ground(const windrow_height_map* heights, windrow_vec3 scale);
+WINDROW_C_API windrow_shape windrow_shape_sphere(float radius);
+WINDROW_C_API windrow_shape windrow_shape_capsule(windrow_vec3 half_axis, float radius);
+WINDROW_C_API windrow_shape windrow_shape_block(windrow_vec3 half_size);
+WINDROW_C_API windrow_shape windrow_shape_cylinder(float radius, float half_length);
+WINDROW_C_API windrow_shape windrow_shape_plate(windrow_vec2 half_size);
+WINDROW_C_API windrow_shape windrow_shape_mesh(const windrow_mesh* mesh, float scale);
+WINDROW_C_API windrow_shape windrow_shape_voxels(const windrow_voxels* voxels, float cell_size);
+WINDROW_C_API windrow_shape windrow_shape_ground(const windrow_height_map* heights, windrow_vec3 scale);
 
 /* --- Obstacles ----------------------------------------------------------------------------------------------------------- */
 
@@ -80,7 +80,7 @@ typedef struct windrow_obstacle {
     windrow_shape shape;
 } windrow_obstacle;
 /* A block of 2 m, not turned. */
-WINDROW_API windrow_result windrow_obstacle_init(windrow_obstacle* obstacle, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_obstacle_init(windrow_obstacle* obstacle, uint32_t struct_size);
 
 /* Handle of an obstacle of one wind; all 0 names none. */
 typedef struct windrow_obstacle_id {
@@ -88,19 +88,19 @@ typedef struct windrow_obstacle_id {
 } windrow_obstacle_id;
 
 /* The obstacles of a wind, at most 16384. */
-WINDROW_API windrow_result windrow_wind_add_obstacle(windrow_wind* wind, const windrow_obstacle* obstacle,
-                                                     windrow_obstacle_id* id);
+WINDROW_C_API windrow_result windrow_wind_add_obstacle(windrow_wind* wind, const windrow_obstacle* obstacle,
+                                                       windrow_obstacle_id* id);
 /* Replaces it whole; it pushes no air on the way. */
-WINDROW_API windrow_result windrow_wind_set_obstacle(windrow_wind* wind, windrow_obstacle_id id,
-                                                     const windrow_obstacle* obstacle);
+WINDROW_C_API windrow_result windrow_wind_set_obstacle(windrow_wind* wind, windrow_obstacle_id id,
+                                                       const windrow_obstacle* obstacle);
 /* As it is. Handles of its form are null: they belong to the host that made them. */
-WINDROW_API windrow_result windrow_wind_get_obstacle(const windrow_wind* wind, windrow_obstacle_id id,
-                                                     windrow_obstacle* obstacle);
+WINDROW_C_API windrow_result windrow_wind_get_obstacle(const windrow_wind* wind, windrow_obstacle_id id,
+                                                       windrow_obstacle* obstacle);
 /* To where it is at the end of the coming step or frame. `orientation` may be null: it keeps its own. */
-WINDROW_API windrow_result windrow_wind_move_obstacle(windrow_wind* wind, windrow_obstacle_id id, windrow_dvec3 position,
-                                                      const windrow_quat* orientation);
-WINDROW_API windrow_result windrow_wind_remove_obstacle(windrow_wind* wind, windrow_obstacle_id id);
-WINDROW_API int32_t windrow_wind_obstacle_count(const windrow_wind* wind);
+WINDROW_C_API windrow_result windrow_wind_move_obstacle(windrow_wind* wind, windrow_obstacle_id id, windrow_dvec3 position,
+                                                        const windrow_quat* orientation);
+WINDROW_C_API windrow_result windrow_wind_remove_obstacle(windrow_wind* wind, windrow_obstacle_id id);
+WINDROW_C_API int32_t windrow_wind_obstacle_count(const windrow_wind* wind);
 
 /* What the pressure of the air does to an obstacle. */
 typedef struct windrow_obstacle_force {
@@ -110,8 +110,9 @@ typedef struct windrow_obstacle_force {
     float pressure;      /* [Pa] */
     int32_t in_box;      /* 0: no part of it was in the box; all else is 0 */
 } windrow_obstacle_force;
-WINDROW_API windrow_result windrow_obstacle_force_init(windrow_obstacle_force* force, uint32_t struct_size);
-WINDROW_API windrow_result windrow_wind_force_on(const windrow_wind* wind, windrow_obstacle_id id, windrow_obstacle_force* force);
+WINDROW_C_API windrow_result windrow_obstacle_force_init(windrow_obstacle_force* force, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_wind_force_on(const windrow_wind* wind, windrow_obstacle_id id,
+                                                   windrow_obstacle_force* force);
 
 #ifdef __cplusplus
 }

@@ -25,15 +25,15 @@ typedef struct windrow_vdb_options {
     int32_t frame;
     uint32_t reserved; /* 0 */
 } windrow_vdb_options;
-WINDROW_API windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size);
 
 /* Writes the cells of a wind as they are now, with the cells inside obstacles. `path` is UTF-8. `options` may be null. On a device: the
    last read-back, without obstacles. */
-WINDROW_API windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options);
+WINDROW_C_API windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options);
 /* A frame of a sequence: folder / prefix 0001 .vdb. `options` may be null; its time and frame are replaced. */
-WINDROW_API windrow_result windrow_vdb_write_frame(const windrow_wind* wind, const char* folder, const char* prefix,
-                                                   int32_t digits, int32_t frame, double time,
-                                                   const windrow_vdb_options* options);
+WINDROW_C_API windrow_result windrow_vdb_write_frame(const windrow_wind* wind, const char* folder, const char* prefix,
+                                                     int32_t digits, int32_t frame, double time,
+                                                     const windrow_vdb_options* options);
 /* A box of cells in memory of the host. */
 typedef struct windrow_vdb_grid {
     uint32_t struct_size;
@@ -45,9 +45,9 @@ typedef struct windrow_vdb_grid {
     const windrow_vec4* field;
     const float* obstacle; /* as many: 1 inside obstacles, else 0; null: none */
 } windrow_vdb_grid;
-WINDROW_API windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size);
-WINDROW_API windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,
-                                                  const windrow_vdb_options* options);
+WINDROW_C_API windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,
+                                                    const windrow_vdb_options* options);
 
 #ifdef __cplusplus
 }

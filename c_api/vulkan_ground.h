@@ -13,24 +13,24 @@ extern "C" {
 typedef int32_t windrow_wind_leans;
 enum { WINDROW_LEANS_EVERYWHERE = 0, WINDROW_LEANS_EACH_TEXEL = 1 };
 typedef struct windrow_vulkan_ground windrow_vulkan_ground;
-WINDROW_API windrow_result windrow_vulkan_ground_create(const windrow_vulkan_host* host, const windrow_ground_config* config,
-                                                        windrow_texel texel, windrow_vulkan_ground** ground);
+WINDROW_C_API windrow_result windrow_vulkan_ground_create(const windrow_vulkan_host* host, const windrow_ground_config* config,
+                                                          windrow_texel texel, windrow_vulkan_ground** ground);
 /* No recording of it is in flight. */
-WINDROW_API void windrow_vulkan_ground_destroy(windrow_vulkan_ground* ground);
-WINDROW_API windrow_result windrow_vulkan_ground_follow(windrow_vulkan_ground* ground, windrow_dvec3 point);
-WINDROW_API windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground* ground, void* commands,
-                                                        const windrow_ground_step* step, windrow_wind_leans leans);
+WINDROW_C_API void windrow_vulkan_ground_destroy(windrow_vulkan_ground* ground);
+WINDROW_C_API windrow_result windrow_vulkan_ground_follow(windrow_vulkan_ground* ground, windrow_dvec3 point);
+WINDROW_C_API windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground* ground, void* commands,
+                                                          const windrow_ground_step* step, windrow_wind_leans leans);
 /* VkBuffer of two floats a slot, for WINDROW_LEANS_EACH_TEXEL. */
-WINDROW_API uint64_t windrow_vulkan_ground_lean_buffer(const windrow_vulkan_ground* ground);
-WINDROW_API int32_t windrow_vulkan_ground_walkers_left_out(const windrow_vulkan_ground* ground);
-WINDROW_API windrow_result windrow_vulkan_ground_next_place(const windrow_vulkan_ground* ground, windrow_dvec3 anchor,
-                                                            windrow_ground_place_block* place);
-WINDROW_API windrow_result windrow_vulkan_ground_texture(const windrow_vulkan_ground* ground, windrow_frame frame,
-                                                         windrow_vulkan_texture* texture);
-WINDROW_API windrow_result windrow_vulkan_ground_block(const windrow_vulkan_ground* ground, windrow_dvec3 anchor,
-                                                       windrow_ground_block* block);
-WINDROW_API uint64_t windrow_vulkan_ground_memory_bytes(const windrow_vulkan_ground* ground);
-WINDROW_API uint64_t windrow_vulkan_ground_reserved_bytes(const windrow_vulkan_ground* ground);
+WINDROW_C_API uint64_t windrow_vulkan_ground_lean_buffer(const windrow_vulkan_ground* ground);
+WINDROW_C_API int32_t windrow_vulkan_ground_walkers_left_out(const windrow_vulkan_ground* ground);
+WINDROW_C_API windrow_result windrow_vulkan_ground_next_place(const windrow_vulkan_ground* ground, windrow_dvec3 anchor,
+                                                              windrow_ground_place_block* place);
+WINDROW_C_API windrow_result windrow_vulkan_ground_texture(const windrow_vulkan_ground* ground, windrow_frame frame,
+                                                           windrow_vulkan_texture* texture);
+WINDROW_C_API windrow_result windrow_vulkan_ground_block(const windrow_vulkan_ground* ground, windrow_dvec3 anchor,
+                                                         windrow_ground_block* block);
+WINDROW_C_API uint64_t windrow_vulkan_ground_memory_bytes(const windrow_vulkan_ground* ground);
+WINDROW_C_API uint64_t windrow_vulkan_ground_reserved_bytes(const windrow_vulkan_ground* ground);
 
 #ifdef __cplusplus
 }

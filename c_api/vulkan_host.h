@@ -56,7 +56,7 @@ typedef struct windrow_vulkan_host {
     windrow_vulkan_pipeline_created pipeline_created; /* null: not wanted */
     void* pipeline_user;
 } windrow_vulkan_host;
-WINDROW_API windrow_result windrow_vulkan_host_init(windrow_vulkan_host* host, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_host_init(windrow_vulkan_host* host, uint32_t struct_size);
 
 /* Requirements of the device, for its creation; no extension is needed. */
 typedef struct windrow_vulkan_requirements {
@@ -68,20 +68,20 @@ typedef struct windrow_vulkan_requirements {
     uint32_t storage_images;  /* maxPerStageDescriptorStorageImages */
 } windrow_vulkan_requirements;
 /* Fills it with them. */
-WINDROW_API windrow_result windrow_vulkan_requirements_init(windrow_vulkan_requirements* requirements, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_requirements_init(windrow_vulkan_requirements* requirements, uint32_t struct_size);
 /* Enables what is required in a VkPhysicalDeviceFeatures; leaves the rest. */
-WINDROW_API windrow_result windrow_vulkan_require_features(void* features);
+WINDROW_C_API windrow_result windrow_vulkan_require_features(void* features);
 /* All reasons why a physical device cannot run the wind, one per line. */
-WINDROW_API windrow_result windrow_vulkan_check(void* instance, void* physical_device,
-                                                windrow_vulkan_get_instance_proc_addr get_instance_proc_addr);
+WINDROW_C_API windrow_result windrow_vulkan_check(void* instance, void* physical_device,
+                                                  windrow_vulkan_get_instance_proc_addr get_instance_proc_addr);
 /* Name of a VkResult. */
-WINDROW_API const char* windrow_vulkan_result_name(int32_t result);
+WINDROW_C_API const char* windrow_vulkan_result_name(int32_t result);
 
-WINDROW_API windrow_result windrow_vulkan_pipeline_store_create(const windrow_vulkan_host* host,
-                                                                windrow_vulkan_pipeline_store** store);
+WINDROW_C_API windrow_result windrow_vulkan_pipeline_store_create(const windrow_vulkan_host* host,
+                                                                  windrow_vulkan_pipeline_store** store);
 /* What uses the store keeps it. */
-WINDROW_API void windrow_vulkan_pipeline_store_destroy(windrow_vulkan_pipeline_store* store);
-WINDROW_API uint64_t windrow_vulkan_pipeline_store_count(const windrow_vulkan_pipeline_store* store);
+WINDROW_C_API void windrow_vulkan_pipeline_store_destroy(windrow_vulkan_pipeline_store* store);
+WINDROW_C_API uint64_t windrow_vulkan_pipeline_store_count(const windrow_vulkan_pipeline_store* store);
 
 /* --- A device of the library's own, for tools, tests and hosts without Vulkan -------------------------------------------- */
 
@@ -93,17 +93,17 @@ typedef struct windrow_vulkan_device_facts {
     const char* api_version; /* "1.3.230" */
     const char* trouble;     /* why it cannot run the wind; empty: it can */
 } windrow_vulkan_device_facts;
-WINDROW_API windrow_result windrow_vulkan_device_facts_init(windrow_vulkan_device_facts* facts, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_device_facts_init(windrow_vulkan_device_facts* facts, uint32_t struct_size);
 
 typedef struct windrow_vulkan_device_list windrow_vulkan_device_list;
 /* The devices of this machine; an error where there is no loader, no driver or no device. */
-WINDROW_API windrow_result windrow_vulkan_device_list_create(windrow_vulkan_device_list** list);
-WINDROW_API void windrow_vulkan_device_list_destroy(windrow_vulkan_device_list* list);
-WINDROW_API int32_t windrow_vulkan_device_list_count(const windrow_vulkan_device_list* list);
-WINDROW_API windrow_result windrow_vulkan_device_list_get(const windrow_vulkan_device_list* list, int32_t index,
-                                                          windrow_vulkan_device_facts* facts);
+WINDROW_C_API windrow_result windrow_vulkan_device_list_create(windrow_vulkan_device_list** list);
+WINDROW_C_API void windrow_vulkan_device_list_destroy(windrow_vulkan_device_list* list);
+WINDROW_C_API int32_t windrow_vulkan_device_list_count(const windrow_vulkan_device_list* list);
+WINDROW_C_API windrow_result windrow_vulkan_device_list_get(const windrow_vulkan_device_list* list, int32_t index,
+                                                            windrow_vulkan_device_facts* facts);
 /* 1 if this machine has the validation layer. */
-WINDROW_API int32_t windrow_vulkan_has_validation_layer(void);
+WINDROW_C_API int32_t windrow_vulkan_has_validation_layer(void);
 
 /* Called for each message of the validation layer. */
 typedef void (*windrow_vulkan_message)(const char* text, void* user);
@@ -123,33 +123,33 @@ typedef struct windrow_vulkan_device_settings {
     windrow_vulkan_message on_message;                            /* null: to the logger, as warnings */
     void* message_user;
 } windrow_vulkan_device_settings;
-WINDROW_API windrow_result windrow_vulkan_device_settings_init(windrow_vulkan_device_settings* settings, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_device_settings_init(windrow_vulkan_device_settings* settings, uint32_t struct_size);
 
 typedef struct windrow_vulkan_device windrow_vulkan_device;
-WINDROW_API windrow_result windrow_vulkan_device_create(const windrow_vulkan_device_settings* settings,
-                                                        windrow_vulkan_device** device);
+WINDROW_C_API windrow_result windrow_vulkan_device_create(const windrow_vulkan_device_settings* settings,
+                                                          windrow_vulkan_device** device);
 /* After all that was made from it. */
-WINDROW_API void windrow_vulkan_device_destroy(windrow_vulkan_device* device);
+WINDROW_C_API void windrow_vulkan_device_destroy(windrow_vulkan_device* device);
 /* `compute` 1: of a wind on the second queue. */
-WINDROW_API windrow_result windrow_vulkan_device_host(const windrow_vulkan_device* device, int32_t compute,
-                                                      windrow_vulkan_host* host);
-WINDROW_API void* windrow_vulkan_device_queue(const windrow_vulkan_device* device, int32_t compute);
-WINDROW_API windrow_result windrow_vulkan_device_get_facts(const windrow_vulkan_device* device,
-                                                           windrow_vulkan_device_facts* facts);
+WINDROW_C_API windrow_result windrow_vulkan_device_host(const windrow_vulkan_device* device, int32_t compute,
+                                                        windrow_vulkan_host* host);
+WINDROW_C_API void* windrow_vulkan_device_queue(const windrow_vulkan_device* device, int32_t compute);
+WINDROW_C_API windrow_result windrow_vulkan_device_get_facts(const windrow_vulkan_device* device,
+                                                             windrow_vulkan_device_facts* facts);
 /* The VkPhysicalDeviceFeatures that are enabled. */
-WINDROW_API const void* windrow_vulkan_device_features(const windrow_vulkan_device* device);
+WINDROW_C_API const void* windrow_vulkan_device_features(const windrow_vulkan_device* device);
 /* Messages of the validation layer so far. */
-WINDROW_API int32_t windrow_vulkan_device_messages(const windrow_vulkan_device* device);
+WINDROW_C_API int32_t windrow_vulkan_device_messages(const windrow_vulkan_device* device);
 
 /* Records commands into a VkCommandBuffer. */
 typedef void (*windrow_vulkan_record)(void* commands, void* user);
 /* Records, submits and waits. */
-WINDROW_API windrow_result windrow_vulkan_device_run(windrow_vulkan_device* device, windrow_vulkan_record record, void* user);
+WINDROW_C_API windrow_result windrow_vulkan_device_run(windrow_vulkan_device* device, windrow_vulkan_record record, void* user);
 /* Records and submits; each slot has a command buffer of its own, whose work is waited for first. */
-WINDROW_API windrow_result windrow_vulkan_device_submit(windrow_vulkan_device* device, int32_t slot, windrow_vulkan_record record,
-                                                        void* user);
+WINDROW_C_API windrow_result windrow_vulkan_device_submit(windrow_vulkan_device* device, int32_t slot,
+                                                          windrow_vulkan_record record, void* user);
 /* Until nothing is in flight. */
-WINDROW_API windrow_result windrow_vulkan_device_wait(windrow_vulkan_device* device);
+WINDROW_C_API windrow_result windrow_vulkan_device_wait(windrow_vulkan_device* device);
 
 #ifdef __cplusplus
 }

@@ -44,7 +44,7 @@ typedef struct windrow_vulkan_settings {
     uint32_t export_textures; /* VkExternalMemoryHandleTypeFlagBits; 0: none */
     int32_t obstacles;        /* 1: makes the passes for obstacles on creation */
 } windrow_vulkan_settings;
-WINDROW_API windrow_result windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size);
 
 /* A frame to record. */
 typedef struct windrow_vulkan_frame {
@@ -57,38 +57,38 @@ typedef struct windrow_vulkan_frame {
     int32_t save;                /* 1: windrow_vulkan_wind_saved returns this recording's state */
     uint32_t reserved;           /* 0 */
 } windrow_vulkan_frame;
-WINDROW_API windrow_result windrow_vulkan_frame_init(windrow_vulkan_frame* frame, uint32_t struct_size);
+WINDROW_C_API windrow_result windrow_vulkan_frame_init(windrow_vulkan_frame* frame, uint32_t struct_size);
 
 /* --- Life: `settings` may be null ---------------------------------------------------------------------------------------- */
 
 /* [bytes] Device memory before it is made. */
-WINDROW_API windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,
-                                                              const windrow_vulkan_settings* settings, uint64_t* memory,
-                                                              uint64_t* reserved);
-WINDROW_API windrow_result windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config,
-                                                      const windrow_vulkan_settings* settings, windrow_wind** wind);
+WINDROW_C_API windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,
+                                                                const windrow_vulkan_settings* settings, uint64_t* memory,
+                                                                uint64_t* reserved);
+WINDROW_C_API windrow_result windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config,
+                                                        const windrow_vulkan_settings* settings, windrow_wind** wind);
 /* From bytes of either backend. */
-WINDROW_API windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
-                                                    const windrow_vulkan_settings* settings, windrow_wind** wind);
+WINDROW_C_API windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+                                                      const windrow_vulkan_settings* settings, windrow_wind** wind);
 /* The state of the last recording with frame.save; WINDROW_NOT_READY until its slot is done. */
-WINDROW_API windrow_result windrow_vulkan_wind_saved(windrow_wind* wind, windrow_bytes** bytes);
+WINDROW_C_API windrow_result windrow_vulkan_wind_saved(windrow_wind* wind, windrow_bytes** bytes);
 
 /* --- Frames -------------------------------------------------------------------------------------------------------------- */
 
 /* Records the ticks that are due into a VkCommandBuffer. `advance` and `last` may be null. */
-WINDROW_API windrow_result windrow_vulkan_wind_record(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
-                                                      windrow_advance* advance, windrow_diagnostics* last);
+WINDROW_C_API windrow_result windrow_vulkan_wind_record(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
+                                                        windrow_advance* advance, windrow_diagnostics* last);
 /* Records one step of frame.dt. */
-WINDROW_API windrow_result windrow_vulkan_wind_record_step(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
-                                                           windrow_diagnostics* diagnostics);
+WINDROW_C_API windrow_result windrow_vulkan_wind_record_step(windrow_wind* wind, void* commands,
+                                                             const windrow_vulkan_frame* frame, windrow_diagnostics* diagnostics);
 /* Takes the read-back of a slot that the host has waited for; 0 where there is none. */
-WINDROW_API int32_t windrow_vulkan_wind_collect(windrow_wind* wind, int32_t slot);
+WINDROW_C_API int32_t windrow_vulkan_wind_collect(windrow_wind* wind, int32_t slot);
 /* After a recording that is never submitted. */
-WINDROW_API windrow_result windrow_vulkan_wind_forget(windrow_wind* wind);
+WINDROW_C_API windrow_result windrow_vulkan_wind_forget(windrow_wind* wind);
 /* Records with `record`, submits and waits; WINDROW_OK or an error of the host's. */
 typedef windrow_result (*windrow_vulkan_run)(windrow_vulkan_record record, void* argument, void* user);
-WINDROW_API windrow_result windrow_vulkan_wind_replay(const windrow_event_log* log, windrow_wind* wind, windrow_vulkan_run run,
-                                                      void* user);
+WINDROW_C_API windrow_result windrow_vulkan_wind_replay(const windrow_event_log* log, windrow_wind* wind, windrow_vulkan_run run,
+                                                        void* user);
 
 /* --- For shaders --------------------------------------------------------------------------------------------------------- */
 
@@ -101,10 +101,10 @@ typedef struct windrow_vulkan_textures {
     windrow_vulkan_texture vectors;
     windrow_vulkan_texture axes[3];
 } windrow_vulkan_textures;
-WINDROW_API windrow_result windrow_vulkan_wind_textures(const windrow_wind* wind, windrow_frame frame,
-                                                        windrow_vulkan_textures* textures);
+WINDROW_C_API windrow_result windrow_vulkan_wind_textures(const windrow_wind* wind, windrow_frame frame,
+                                                          windrow_vulkan_textures* textures);
 /* VkBuffer of the gust tile. */
-WINDROW_API uint64_t windrow_vulkan_wind_gust_buffer(const windrow_wind* wind);
+WINDROW_C_API uint64_t windrow_vulkan_wind_gust_buffer(const windrow_wind* wind);
 typedef struct windrow_vulkan_exported_image {
     uint64_t image;                /* VkImage */
     uint64_t memory;               /* VkDeviceMemory */
@@ -115,15 +115,15 @@ typedef struct windrow_vulkan_exported_image {
     uint32_t reserved;
 } windrow_vulkan_exported_image;
 /* `count`: room in `images`; receives their number. `images` may be null to ask for it. */
-WINDROW_API windrow_result windrow_vulkan_wind_exported_images(const windrow_wind* wind, windrow_vulkan_exported_image* images,
-                                                               uint32_t* count);
+WINDROW_C_API windrow_result windrow_vulkan_wind_exported_images(const windrow_wind* wind, windrow_vulkan_exported_image* images,
+                                                                 uint32_t* count);
 
 enum { WINDROW_VULKAN_MAX_BINDINGS = 8 };
 /* Fills a VkSamplerCreateInfo for the textures. */
-WINDROW_API windrow_result windrow_vulkan_sampler_info(const windrow_boundaries* boundaries, void* sampler_info);
+WINDROW_C_API windrow_result windrow_vulkan_sampler_info(const windrow_boundaries* boundaries, void* sampler_info);
 /* Fills at most 8 VkDescriptorSetLayoutBinding for windrow_wind.glsl; returns their number. `stages` is VkShaderStageFlags. */
-WINDROW_API uint32_t windrow_vulkan_set_bindings(windrow_vulkan_texture_set textures, uint32_t stages, uint32_t first,
-                                                 void* bindings);
+WINDROW_C_API uint32_t windrow_vulkan_set_bindings(windrow_vulkan_texture_set textures, uint32_t stages, uint32_t first,
+                                                   void* bindings);
 /* Contents of a set. */
 typedef struct windrow_vulkan_set_content {
     windrow_vulkan_textures now, before;
@@ -134,28 +134,28 @@ typedef struct windrow_vulkan_set_content {
 } windrow_vulkan_set_content;
 /* The writes of a VkDescriptorSet, for vkUpdateDescriptorSets or push descriptors. */
 typedef struct windrow_vulkan_set_writes windrow_vulkan_set_writes;
-WINDROW_API windrow_result windrow_vulkan_set_writes_create(uint64_t set, const windrow_vulkan_set_content* content,
-                                                            windrow_vulkan_texture_set textures, uint32_t first,
-                                                            windrow_vulkan_set_writes** writes);
-WINDROW_API void windrow_vulkan_set_writes_destroy(windrow_vulkan_set_writes* writes);
+WINDROW_C_API windrow_result windrow_vulkan_set_writes_create(uint64_t set, const windrow_vulkan_set_content* content,
+                                                              windrow_vulkan_texture_set textures, uint32_t first,
+                                                              windrow_vulkan_set_writes** writes);
+WINDROW_C_API void windrow_vulkan_set_writes_destroy(windrow_vulkan_set_writes* writes);
 /* Array of VkWriteDescriptorSet. */
-WINDROW_API const void* windrow_vulkan_set_writes_data(const windrow_vulkan_set_writes* writes);
-WINDROW_API uint32_t windrow_vulkan_set_writes_count(const windrow_vulkan_set_writes* writes);
+WINDROW_C_API const void* windrow_vulkan_set_writes_data(const windrow_vulkan_set_writes* writes);
+WINDROW_C_API uint32_t windrow_vulkan_set_writes_count(const windrow_vulkan_set_writes* writes);
 
 /* --- What was read back: good until the next recording or a collect that takes one --------------------------------------- */
 
 /* Cells as halves: x, y, z and 0 each. `count`: cells. `origin` may be null. */
-WINDROW_API windrow_result windrow_vulkan_wind_halves(const windrow_wind* wind, const uint16_t** cells, uint64_t* count,
-                                                      windrow_dvec3* origin);
-WINDROW_API windrow_result windrow_vulkan_wind_points(const windrow_wind* wind, const windrow_dvec3** positions,
-                                                      const windrow_vec4** velocities, uint64_t* count);
+WINDROW_C_API windrow_result windrow_vulkan_wind_halves(const windrow_wind* wind, const uint16_t** cells, uint64_t* count,
+                                                        windrow_dvec3* origin);
+WINDROW_C_API windrow_result windrow_vulkan_wind_points(const windrow_wind* wind, const windrow_dvec3** positions,
+                                                        const windrow_vec4** velocities, uint64_t* count);
 /* [s] Time of the frames recorded since. */
-WINDROW_API double windrow_vulkan_wind_query_age(const windrow_wind* wind);
+WINDROW_C_API double windrow_vulkan_wind_query_age(const windrow_wind* wind);
 /* Of the last tick that was read back. */
-WINDROW_API windrow_result windrow_vulkan_wind_reported(windrow_wind* wind, windrow_diagnostics* diagnostics);
-WINDROW_API int32_t windrow_vulkan_wind_dispatches(const windrow_wind* wind);
-WINDROW_API int32_t windrow_vulkan_wind_barriers(const windrow_wind* wind);
-WINDROW_API uint64_t windrow_vulkan_wind_reserved_bytes(const windrow_wind* wind);
+WINDROW_C_API windrow_result windrow_vulkan_wind_reported(windrow_wind* wind, windrow_diagnostics* diagnostics);
+WINDROW_C_API int32_t windrow_vulkan_wind_dispatches(const windrow_wind* wind);
+WINDROW_C_API int32_t windrow_vulkan_wind_barriers(const windrow_wind* wind);
+WINDROW_C_API uint64_t windrow_vulkan_wind_reserved_bytes(const windrow_wind* wind);
 typedef struct windrow_vulkan_pass {
     const char* name;
     int32_t dispatches;
@@ -163,8 +163,8 @@ typedef struct windrow_vulkan_pass {
     double us; /* [us] */
 } windrow_vulkan_pass;
 /* Times of the last recording that was read back. `count`: room in `passes`, receives their number; `passes` may be null. */
-WINDROW_API windrow_result windrow_vulkan_wind_pass_times(const windrow_wind* wind, double* whole_us, double* read_back_us,
-                                                          int32_t* untimed, windrow_vulkan_pass* passes, uint32_t* count);
+WINDROW_C_API windrow_result windrow_vulkan_wind_pass_times(const windrow_wind* wind, double* whole_us, double* read_back_us,
+                                                            int32_t* untimed, windrow_vulkan_pass* passes, uint32_t* count);
 
 #ifdef __cplusplus
 }

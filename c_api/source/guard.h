@@ -12,7 +12,7 @@
 #include <string_view>
 #include <type_traits>
 
-#define WINDROW_EXPORT extern "C" WINDROW_API
+#define WINDROW_EXPORT extern "C" WINDROW_C_API
 
 namespace windrow::c_api {
 

@@ -125,8 +125,7 @@ Result<void> sample(const WindView& view, const windrow_query& query, const Samp
         if (felt == nullptr)
             view.velocity({positions.data(), size}, {velocities.data(), size});
         else
-            for (std::size_t n = 0; n < size; ++n)
-                velocities[n] = view.felt(positions[n], *felt);
+            view.felt(std::span<const glm::dvec3>(positions.data(), size), *felt, std::span<glm::vec3>(velocities.data(), size));
         for (std::size_t n = 0; n < size; ++n, to += out_step)
             std::memcpy(to, &velocities[n], sizeof velocities[n]);
     }

@@ -24,7 +24,7 @@ class Header:
         for found in re.finditer(r"typedef struct (windrow_\w+) \{(.*?)\} \1;", text, flags=re.DOTALL):
             self.structs[found.group(1)] = [field for line in found.group(2).split(";") for field in self._fields(line)]
         self.functions = {}
-        for found in re.finditer(r"WINDROW_API\s+([\w\s*]*?[\s*])(windrow_\w+)\(([^;]*)\);", text):
+        for found in re.finditer(r"WINDROW_C_API\s+([\w\s*]*?[\s*])(windrow_\w+)\(([^;]*)\);", text):
             parameters = [] if found.group(3).strip() == "void" else [self._parameter(part) for part in found.group(3).split(",")]
             self.functions[found.group(2)] = (" ".join(found.group(1).split()), parameters)
 
