@@ -60,7 +60,8 @@ def table_of(names, pinned):
         if names and name not in names:
             continue
         found = hashes_of(name, options)
-        compiler = f"{family} {run(command, '-dumpfullversion').strip()}{level_of_code}"
+        version = run(command, "-dumpversion" if family == "Clang" else "-dumpfullversion").strip()
+        compiler = f"{family} {version}{level_of_code}"
         for level in dict.fromkeys(key.split("/")[0] for key in found):
             rows = {key: value for key, value in found.items() if key.startswith(level + "/")}
             wanted = {key: value for key, value in pinned.items() if key.startswith(level + "/")}
