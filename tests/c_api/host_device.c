@@ -122,6 +122,99 @@ static void check_device_wind(windrow_vulkan_device* device) {
     windrow_wind_destroy(cpu);
 }
 
+typedef struct device_heap {
+    int calls;
+} device_heap;
+
+/* A host's allocator that has no memory. */
+static int32_t no_memory(uint64_t size, uint64_t alignment, uint32_t types, uint32_t type, windrow_vulkan_memory* memory,
+                         void* user) {
+    CHECK(size > 0 && alignment > 0 && (types >> type & 1) == 1 && memory->memory == 0);
+    ((device_heap*)user)->calls += 1;
+    return -2; /* VK_ERROR_OUT_OF_DEVICE_MEMORY */
+}
+static void give_nothing_back(const windrow_vulkan_memory* memory, void* user) {
+    CHECK(memory != NULL && user != NULL);
+}
+
+/* A frame of a wind that reads back in one way. */
+static windrow_wind* one_frame(windrow_vulkan_device* device, windrow_vulkan_read_back queries, const windrow_dvec3* points) {
+    windrow_config config = small_config();
+    windrow_vulkan_host host;
+    windrow_vulkan_settings settings;
+    recording what;
+    memset(&what, 0, sizeof what);
+    CHECK_OK(windrow_vulkan_host_init(&host, sizeof host));
+    CHECK_OK(windrow_vulkan_device_host(device, 0, &host));
+    CHECK_OK(windrow_vulkan_settings_init(&settings, sizeof settings));
+    settings.queries = queries;
+    settings.timestamps = 1;
+    settings.textures = WINDROW_VULKAN_AXES;
+    CHECK_OK(windrow_vulkan_wind_create(&host, &config, &settings, &what.wind));
+    CHECK_OK(windrow_vulkan_frame_init(&what.frame, sizeof what.frame));
+    what.frame.slot = 0;
+    what.frame.dt = 0.02;
+    what.frame.points = points;
+    what.frame.point_count = points != NULL ? 2 : 0;
+    CHECK_OK(windrow_vulkan_device_submit(device, 0, record, &what));
+    CHECK_OK(what.result);
+    CHECK_OK(windrow_vulkan_device_wait(device));
+    CHECK(windrow_vulkan_wind_collect(what.wind, 0) == 1);
+    return what.wind;
+}
+
+static void check_read_backs(windrow_vulkan_device* device) {
+    windrow_dvec3 points[2];
+    const windrow_dvec3* positions = NULL;
+    const windrow_vec4* velocities = NULL;
+    const uint16_t* halves = NULL;
+    windrow_vulkan_pass passes[64];
+    windrow_vulkan_textures textures;
+    windrow_vec3 velocity;
+    uint64_t count = 0;
+    uint32_t pass_count = 0;
+    double whole_us = 0.0;
+    windrow_wind* wind;
+    points[0] = dvec3(1.0, 3.0, 0.0);
+    points[1] = dvec3(2.0, 3.0, 0.0);
+    wind = one_frame(device, WINDROW_VULKAN_READ_POINTS, points);
+    CHECK_OK(windrow_vulkan_wind_points(wind, &positions, &velocities, &count));
+    CHECK(count == 2 && positions[1].x == 2.0 && fabs((double)velocities[0].x - 3.0) < 1e-3);
+    CHECK_FAILS(windrow_vulkan_wind_halves(wind, &halves, &count, NULL), WINDROW_NOT_READY, "halves");
+    CHECK_OK(windrow_vulkan_wind_pass_times(wind, &whole_us, NULL, NULL, NULL, &pass_count));
+    CHECK(whole_us > 0.0 && pass_count > 3 && pass_count <= 64);
+    CHECK_OK(windrow_vulkan_wind_pass_times(wind, NULL, NULL, NULL, passes, &pass_count));
+    CHECK(passes[0].name != NULL && passes[0].dispatches > 0);
+    CHECK_OK(windrow_vulkan_wind_textures(wind, WINDROW_FRAME_NOW, &textures));
+    CHECK(textures.vectors.image == 0 && textures.axes[2].view != 0);
+    CHECK(windrow_vulkan_wind_query_age(wind) == 0.0);
+    windrow_wind_destroy(wind);
+
+    wind = one_frame(device, WINDROW_VULKAN_READ_HALVES, NULL);
+    CHECK_OK(windrow_vulkan_wind_halves(wind, &halves, &count, NULL));
+    CHECK(count == 24 * 12 * 24 && fabs((double)windrow_from_half(halves[0]) - 3.0) < 0.01);
+    CHECK_OK(windrow_wind_velocity(wind, points[0], &velocity));
+    CHECK(fabs((double)velocity.x - 3.0) < 0.01);
+    CHECK_FAILS(windrow_vulkan_wind_points(wind, &positions, &velocities, &count), WINDROW_NOT_READY, "points");
+    windrow_wind_destroy(wind);
+}
+
+static void check_device_memory(windrow_vulkan_device* device) {
+    windrow_config config = small_config();
+    windrow_vulkan_host host;
+    windrow_wind* wind = NULL;
+    device_heap heap;
+    heap.calls = 0;
+    CHECK_OK(windrow_vulkan_host_init(&host, sizeof host));
+    CHECK_OK(windrow_vulkan_device_host(device, 0, &host));
+    host.allocate = no_memory;
+    CHECK_FAILS(windrow_vulkan_wind_create(&host, &config, NULL, &wind), WINDROW_REJECTED, "memory");
+    host.release = give_nothing_back;
+    host.memory_user = &heap;
+    CHECK_FAILS(windrow_vulkan_wind_create(&host, &config, NULL, &wind), WINDROW_OUT_OF_MEMORY, "VK_ERROR_OUT_OF_DEVICE_MEMORY");
+    CHECK(wind == NULL && heap.calls > 0);
+}
+
 static void check_device_ground(windrow_vulkan_device* device) {
     windrow_vulkan_host host;
     windrow_ground_config config;
@@ -167,6 +260,8 @@ void check_device(void) {
     settings.validation = windrow_vulkan_has_validation_layer();
     CHECK_OK(windrow_vulkan_device_create(&settings, &device));
     check_device_wind(device);
+    check_read_backs(device);
+    check_device_memory(device);
     if (windrow_has_part(WINDROW_PART_COUPLING))
         check_device_ground(device);
     CHECK(windrow_vulkan_device_messages(device) == 0);
