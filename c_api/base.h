@@ -48,7 +48,7 @@ enum {
     WINDROW_UNSUPPORTED = -6,   /* this build lacks the part, or this backend lacks the call */
     WINDROW_NOT_READY = -7,     /* nothing has come back from the device yet */
     WINDROW_DEVICE_LOST = -9,   /* make the device and what was made from it anew */
-    WINDROW_INTERNAL = -8       /* an unexpected error inside the library: report it */
+    WINDROW_UNEXPECTED = -8     /* an unexpected error inside the library: report it */
 };
 
 /* The sentence of the last call in this thread that failed: what is wrong, its value, the fix; all reasons, one a line. UTF-8. It is

@@ -15,6 +15,10 @@ typedef int32_t windrow_vdb_precision;
 enum { WINDROW_VDB_FULL = 0, WINDROW_VDB_HALF = 1 };
 typedef int32_t windrow_vdb_up;
 enum { WINDROW_VDB_UP_Y = 0, WINDROW_VDB_UP_Z = 1 };
+typedef int32_t windrow_vdb_format;
+enum { WINDROW_VDB_OPENVDB = 0, WINDROW_VDB_NANOVDB = 1 };
+/* 1 if this build writes NanoVDB. */
+WINDROW_C_API int32_t windrow_vdb_has_nanovdb(void);
 typedef struct windrow_vdb_options {
     uint32_t struct_size;
     windrow_vdb_form form;
@@ -23,7 +27,7 @@ typedef struct windrow_vdb_options {
     windrow_vdb_up up;
     double time; /* [s] */
     int32_t frame;
-    uint32_t reserved; /* 0 */
+    windrow_vdb_format format;
 } windrow_vdb_options;
 WINDROW_C_API windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size);
 
@@ -34,6 +38,19 @@ WINDROW_C_API windrow_result windrow_vdb_write(const windrow_wind* wind, const c
 WINDROW_C_API windrow_result windrow_vdb_write_frame(const windrow_wind* wind, const char* folder, const char* prefix,
                                                      int32_t digits, int32_t frame, double time,
                                                      const windrow_vdb_options* options);
+/* A further grid over the same cells, of numbers or of vectors. */
+typedef struct windrow_vdb_scalar {
+    const char* name;
+    const char* units;   /* such as "1/s"; null: none */
+    const float* values; /* one a cell */
+    float outside;       /* background value */
+    uint32_t reserved;   /* 0 */
+} windrow_vdb_scalar;
+typedef struct windrow_vdb_vector {
+    const char* name;
+    const char* units;
+    const windrow_vec4* values;
+} windrow_vdb_vector;
 /* A box of cells in memory of the host. */
 typedef struct windrow_vdb_grid {
     uint32_t struct_size;
@@ -44,6 +61,12 @@ typedef struct windrow_vdb_grid {
     uint64_t count;       /* of `field`: x * y * z */
     const windrow_vec4* field;
     const float* obstacle; /* as many: 1 inside obstacles, else 0; null: none */
+    float cell_height;     /* [m] along y; 0: cell_size */
+    uint32_t scalar_count;
+    uint32_t vector_count;
+    uint32_t reserved; /* 0 */
+    const windrow_vdb_scalar* scalars;
+    const windrow_vdb_vector* vectors;
 } windrow_vdb_grid;
 WINDROW_C_API windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size);
 WINDROW_C_API windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,

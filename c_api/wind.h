@@ -162,6 +162,8 @@ WINDROW_C_API windrow_result windrow_wind_write_axes(const windrow_wind* wind, w
                                                      void* y, void* z, uint64_t count);
 /* 1 for each cell whose centre is inside an obstacle, else 0; on the CPU. */
 WINDROW_C_API windrow_result windrow_wind_write_obstacles(const windrow_wind* wind, float* cells, uint64_t count);
+/* [m^2/s^2] Pressure over the air's density at the end of the last step, one value a cell; on the CPU. Allocates. */
+WINDROW_C_API windrow_result windrow_wind_write_pressure(windrow_wind* wind, float* cells, uint64_t count);
 /* The cells, and where their box was; the memory is the wind's, until its next change. `origin` may be null. */
 WINDROW_C_API windrow_result windrow_wind_field(const windrow_wind* wind, windrow_frame frame, const windrow_vec4** cells,
                                                 uint64_t* count, windrow_dvec3* origin);

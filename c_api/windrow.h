@@ -27,6 +27,7 @@
 #include "c_api/obstacles.h"
 #include "c_api/plants.h"
 #include "c_api/shader_blocks.h"
+#include "c_api/tracer.h"
 #include "c_api/vdb.h"
 #include "c_api/vulkan_ground.h"
 #include "c_api/vulkan_host.h"

@@ -2,7 +2,8 @@
 //
 //     windrow::set_allocator({.allocate = engine_allocate, .release = engine_release, .user = &heap});   // before the first wind
 //
-// Covered: cells, scratch and tables of the solver on the CPU, and tiles of gusts; together at least 99 % of Wind::memory_bytes.
+// Covered: cells, scratch and tables of the solver on the CPU, rasterised obstacles, tiles of gusts; together at least 99 % of
+// Wind::memory_bytes.
 // Not covered: objects themselves, lists, strings, geometry (meshes, voxels, height maps), snapshots and logs, which are from
 // operator new; and the memory of a device, for which vulkan::Host::memory is the hook.
 #pragma once

@@ -48,9 +48,9 @@ template <class Body>
     } catch (const std::length_error&) {
         return fail(WINDROW_OUT_OF_MEMORY, Error::k_out_of_memory);
     } catch (const std::exception& error) {
-        return fail(WINDROW_INTERNAL, error.what());
+        return fail(WINDROW_UNEXPECTED, error.what());
     } catch (...) {
-        return fail(WINDROW_INTERNAL, "unexpected exception inside the library: report it.");
+        return fail(WINDROW_UNEXPECTED, "unexpected exception inside the library: report it.");
     }
 }
 

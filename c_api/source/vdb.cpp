@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace windrow::c_api {
 
@@ -16,14 +18,16 @@ template <>
 inline constexpr int k_values<vdb::Precision> = 2;
 template <>
 inline constexpr int k_values<vdb::UpAxis> = 2;
+template <>
+inline constexpr int k_values<vdb::Format> = 2;
 
 void read_rest(Reasons&, const Path&, const char* from, std::string& to) {
     if (from != nullptr)
         to = from;
 }
 
-WINDROW_C_STRUCT(windrow_vdb_options, vdb::Options, name, form, precision, up, time, frame);
-WINDROW_C_STRUCT_BUT(4, windrow_vdb_grid, vdb::VelocityGrid, cells, cell_size, origin, outside);
+WINDROW_C_STRUCT(windrow_vdb_options, vdb::Options, name, form, precision, up, time, frame, format);
+WINDROW_C_STRUCT_BUT(6, windrow_vdb_grid, vdb::VelocityGrid, cells, cell_size, cell_height, origin, outside);
 
 } // namespace windrow::c_api
 
@@ -45,7 +49,24 @@ windrow_result done_with(const vdb::WriteResult& written) {
     case vdb::Problem::out_of_memory:
         return fail(WINDROW_OUT_OF_MEMORY, written.error());
     }
-    return fail(WINDROW_INTERNAL, written.error());
+    return fail(WINDROW_UNEXPECTED, written.error());
+}
+
+/// The host's further grids, whose arrays have `count` entries each.
+template <class Cpp, class C>
+std::vector<Cpp> grids_of(const C* list, std::uint32_t number, std::uint64_t count) {
+    std::vector<Cpp> grids;
+    for (std::uint32_t n = 0; n < number; ++n) {
+        Cpp grid;
+        grid.name = list[n].name != nullptr ? list[n].name : "";
+        grid.units = list[n].units != nullptr ? list[n].units : "";
+        if constexpr (requires { grid.outside; })
+            grid.outside = list[n].outside;
+        using Value = std::remove_reference_t<decltype(grid.values[0])>;
+        grid.values = {same_layout<Value>(list[n].values), list[n].values != nullptr ? static_cast<std::size_t>(count) : 0};
+        grids.push_back(std::move(grid));
+    }
+    return grids;
 }
 
 std::filesystem::path path_of(const char* utf8) {
@@ -74,7 +95,7 @@ windrow_result with_grid(const windrow_wind* wind, const Use& use) {
     grid.rows = view->box().rows;
     grid.origin = view->origin();
     grid.field = view->field();
-    grid.outside = view->ambient().mean();
+    grid.outside = view->ambient().without_gusts().velocity(view->origin() + 0.5 * view->window().size());
     return use(grid);
 }
 
@@ -85,6 +106,9 @@ WINDROW_EXPORT windrow_result windrow_vdb_options_init(windrow_vdb_options* opti
 }
 WINDROW_EXPORT windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size) {
     return init(grid, struct_size);
+}
+WINDROW_EXPORT int32_t windrow_vdb_has_nanovdb(void) {
+    return vdb::has_nanovdb();
 }
 WINDROW_EXPORT windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options) {
     return call({{wind, "wind"}, {path, "path"}}, [&] {
@@ -121,6 +145,10 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* gri
         wanted.field = {same_layout<const glm::vec4>(taken.field), static_cast<std::size_t>(taken.count)};
         if (taken.obstacle != nullptr)
             wanted.obstacle.assign(taken.obstacle, taken.obstacle + taken.count);
+        if ((taken.scalars == nullptr && taken.scalar_count > 0) || (taken.vectors == nullptr && taken.vector_count > 0))
+            return fail(WINDROW_REJECTED, "grid.scalars or grid.vectors is null: give as many as its count, or count 0.");
+        wanted.scalars = grids_of<vdb::NamedScalar>(taken.scalars, taken.scalar_count, taken.count);
+        wanted.vectors = grids_of<vdb::NamedVector>(taken.vectors, taken.vector_count, taken.count);
         return with_options(options, [&](const vdb::Options& how) { return done_with(vdb::write(wanted, path_of(path), how)); });
     });
 }

@@ -112,7 +112,7 @@ Result<void> sample(const WindView& view, const windrow_query& query, const Samp
     };
     if (doubles && felt == nullptr && step == sizeof(glm::dvec3) && out_step == sizeof(glm::vec3) && anchor == glm::dvec3(0.0) &&
         fits(from, alignof(glm::dvec3)) && fits(to, alignof(glm::vec3))) {
-        view.velocity({reinterpret_cast<const glm::dvec3*>(from), count}, {reinterpret_cast<glm::vec3*>(to), count});
+        view.velocity({reinterpret_cast<const glm::dvec3*>(from), count}, std::span(reinterpret_cast<glm::vec3*>(to), count));
         return {};
     }
     constexpr std::size_t k_block = 256;
@@ -123,9 +123,9 @@ Result<void> sample(const WindView& view, const windrow_query& query, const Samp
         for (std::size_t n = 0; n < size; ++n, from += step)
             positions[n] = (doubles ? point_at<double>(from) : point_at<float>(from)) + anchor;
         if (felt == nullptr)
-            view.velocity({positions.data(), size}, {velocities.data(), size});
+            view.velocity({positions.data(), size}, std::span(velocities.data(), size));
         else
-            view.felt(std::span<const glm::dvec3>(positions.data(), size), *felt, std::span<glm::vec3>(velocities.data(), size));
+            view.felt({positions.data(), size}, *felt, std::span(velocities.data(), size));
         for (std::size_t n = 0; n < size; ++n, to += out_step)
             std::memcpy(to, &velocities[n], sizeof velocities[n]);
     }
@@ -405,6 +405,13 @@ WINDROW_EXPORT windrow_result windrow_wind_write_obstacles(const windrow_wind* w
         if (wind->cpu() == nullptr)
             return lacks("windrow_wind_write_obstacles");
         return done(wind->cpu()->write_obstacles(numbers<float>(cells, count)));
+    });
+}
+WINDROW_EXPORT windrow_result windrow_wind_write_pressure(windrow_wind* wind, float* cells, uint64_t count) {
+    return call({{wind, "wind"}, {cells, "cells"}}, [&]() -> windrow_result {
+        if (wind->cpu() == nullptr)
+            return lacks("windrow_wind_write_pressure");
+        return done(wind->cpu()->write_pressure(numbers<float>(cells, count)));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_field(const windrow_wind* wind, windrow_frame frame, const windrow_vec4** cells,

@@ -13,6 +13,7 @@ NO_NAMES = {"if", "while", "for", "return", "sizeof", "alignof", "static_assert"
 def plain(text):
     text = re.sub(r"//[^\n]*|/\*.*?\*/", " ", text, flags=re.DOTALL)
     text = re.sub(r"^\s*#.*$", " ", text, flags=re.MULTILINE)
+    text = re.sub(r"\bWINDROW_(?:API|HIDDEN|INTERNAL)\b", " ", text)
     return re.sub(r'"(?:[^"\\\n]|\\.)*"', '""', text)
 
 

@@ -57,7 +57,9 @@ static void check_vdb(const windrow_wind* wind, const char* folder) {
     char path[1024];
     windrow_vdb_options options;
     windrow_vdb_grid grid;
+    windrow_vdb_scalar heat;
     windrow_vec4 cells[8];
+    const float warm[8] = {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f};
     CHECK_OK(windrow_vdb_options_init(&options, sizeof options));
     options.up = WINDROW_VDB_UP_Z;
     options.name = "wind";
@@ -72,6 +74,13 @@ static void check_vdb(const windrow_wind* wind, const char* folder) {
     grid.cells.x = grid.cells.y = grid.cells.z = 2;
     grid.field = cells;
     grid.count = 8;
+    memset(&heat, 0, sizeof heat);
+    heat.name = "heat";
+    heat.units = "K";
+    heat.values = warm;
+    grid.scalars = &heat;
+    grid.scalar_count = 1;
+    CHECK(windrow_vdb_has_nanovdb() == 0 || windrow_vdb_has_nanovdb() == 1);
     sprintf(path, "%.1000s/host_grid.vdb", folder);
     CHECK_OK(windrow_vdb_write_grid(&grid, path, NULL));
     grid.count = 7;

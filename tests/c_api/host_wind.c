@@ -82,6 +82,7 @@ static void check_textures(windrow_wind* wind) {
     CHECK(count == CELLS);
     CHECK_OK(windrow_wind_write_vectors(wind, WINDROW_FRAME_NOW, WINDROW_TEXEL_FLOAT, vectors, 4 * CELLS));
     CHECK_OK(windrow_wind_write_vectors(wind, WINDROW_FRAME_NOW, WINDROW_TEXEL_HALF, halves, 4 * CELLS));
+    CHECK_OK(windrow_wind_write_pressure(wind, x, CELLS));
     CHECK_OK(windrow_wind_write_axes(wind, WINDROW_FRAME_NOW, WINDROW_TEXEL_FLOAT, x, y, z, CELLS));
     for (n = 0; n < CELLS; ++n)
         differ += vectors[4 * n] != x[n] || vectors[4 * n + 1] != y[n] || vectors[4 * n + 2] != z[n] ||
@@ -92,6 +93,30 @@ static void check_textures(windrow_wind* wind) {
     CHECK_OK(windrow_wind_window_block(wind, dvec3(100.0, 0.0, 0.0), &window));
     CHECK_OK(windrow_wind_frame_block(wind, dvec3(100.0, 0.0, 0.0), NULL, &frame));
     CHECK(memcmp(&window, &frame.window, sizeof window) == 0 && window.cell_size == 1.0f && window.cells.y == 12.0f);
+}
+
+static void check_tracer(windrow_wind* wind) {
+    windrow_tracer* smoke = NULL;
+    const float* cells = NULL;
+    uint64_t count = 0, n;
+    double before = 0.0, after = 0.0, moved = 0.0;
+    CHECK_OK(windrow_tracer_create(wind, NULL, &smoke));
+    CHECK_OK(windrow_tracer_blow(smoke, dvec3(104.5, 4.5, 0.5), 1.5f));
+    cells = windrow_tracer_cells(smoke, &count);
+    CHECK(count == 24 * 12 * 24);
+    for (n = 0; n < count; ++n) {
+        before += (double)cells[n];
+        moved -= (double)cells[n] * (double)(n % 24);
+    }
+    CHECK_OK(windrow_wind_step(wind, 0.2, NULL));
+    CHECK_OK(windrow_tracer_step(smoke, wind, 0.2));
+    cells = windrow_tracer_cells(smoke, &count);
+    for (n = 0; n < count; ++n) {
+        after += (double)cells[n];
+        moved += (double)cells[n] * (double)(n % 24);
+    }
+    CHECK(before > 4.0 && fabs(after - before) < 0.2 * before && moved > 0.2 * before); /* downwind, by some of a cell */
+    windrow_tracer_destroy(smoke);
 }
 
 void check_wind(void) {
@@ -142,6 +167,7 @@ void check_wind(void) {
     check_queries(wind);
     check_textures(wind);
 
+    check_tracer(wind);
     CHECK_OK(windrow_wind_step(wind, 0.01, NULL)); /* what is read is no longer between two ticks */
     CHECK_OK(windrow_wind_set_velocity(wind, shear, &slope));
     CHECK_OK(windrow_wind_velocity(wind, dvec3(104.5, 3.5, 0.5), &velocity));

@@ -9,7 +9,7 @@ run("Configuring" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${WINDROW} -B ${WORK}/buil
 run("Building" ${CMAKE_COMMAND} --build ${WORK}/build --target windrow_c)
 file(GLOB host_files ${CMAKE_CURRENT_LIST_DIR}/host*.c)
 file(MAKE_DIRECTORY ${WORK}/files)
-run("Compiling the host" ${CC} -std=c89 -I ${WORK}/build/c_api/include -I ${WINDROW} ${host_files} -o ${WORK}/host -L ${WORK}/build/c_api -lwindrow -lm
+run("Compiling the host" ${CC} -std=c89 -I ${WORK}/build/include ${host_files} -o ${WORK}/host -L ${WORK}/build/c_api -lwindrow -lm
   -Wl,-rpath,${WORK}/build/c_api)
 run("Running the host" ${WORK}/host ${WORK}/files)
 run("Comparing with the headers" ${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/library_test.py ${WINDROW}/c_api ${WORK}/build/c_api/libwindrow.so)
