@@ -170,8 +170,15 @@ class SeekableArchive : public openvdb::io::Archive {
 // NanoVDB writes a file's head last, and its own writer of files does not tell a full disk.
 void write_nanovdb(std::ostream& stream, const openvdb::GridPtrVec& grids) {
     std::vector<nanovdb::GridHandle<nanovdb::HostBuffer>> handles;
-    for (const auto& grid : grids)
+    const auto convert = [&](const auto& grid) {
         handles.push_back(nanovdb::openToNanoVDB(grid, nanovdb::StatsMode::All, nanovdb::ChecksumMode::Full));
+    };
+    for (const auto& grid : grids) { // of the two kinds that are made here: conversions of all kinds take a compiler minutes
+        if (const auto scalars = openvdb::gridPtrCast<openvdb::FloatGrid>(grid))
+            convert(*scalars);
+        else
+            convert(*openvdb::gridPtrCast<openvdb::Vec3SGrid>(grid));
+    }
     // It seeks beyond what is written: room for all of it and for the head, which is smaller than this.
     std::size_t room = 1024;
     for (std::size_t n = 0; n < grids.size(); ++n)

@@ -14,7 +14,7 @@ TEST(Clocks, AStopwatchMeasuresWhatTheSystemSleeps) {
     double milliseconds = 0.0;
     const auto start = std::chrono::steady_clock::now();
     {
-        const cpu::Stopwatch watch(milliseconds);
+        const cpu::Stopwatch watch("windrow test", milliseconds);
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
     }
     const double outside = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
