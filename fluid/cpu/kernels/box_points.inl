@@ -9,7 +9,7 @@
 //   - cell, fraction and share, some 40 operations an axis in lanes: 7
 //   - eight loads of 16 bytes and four inserts, 12 operations of three blends, a store: 8
 // or 20, 6 ns at 3.5 GHz, against 72 to 120 ns for one point after another in GLM. With 128-bit vectors the lanes cost four times as
-// much, 50 cycles in all. Rows add a binary search, 7 steps of a gather: 10. Measured (windrow_query_bench): 4.7 ns, with a product
+// much, 50 cycles in all. Rows add a binary search, 7 steps of a gather: 10. Measured (windrow_query_bench): 4.8 ns, with a product
 // in place of the quotient; 6.5 ns with AVX2, 12.4 with SSE2; rows 6 ns more. The loads are from the first cache where the list is
 // coherent: a point's neighbours have read the cells. Groups that are wholly inside skip the ambient wind, groups wholly outside the
 // cells.
