@@ -1,5 +1,5 @@
 // The core in another project's build, and nothing else. The project has a fluid/box.h of its own, and a profiler.
-#include <windrow/fluid/box.h>
+#include "fluid/box.h"
 
 #include <cstdio>
 #include <string>
