@@ -72,6 +72,25 @@ WINDROW_C_API windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint3
 WINDROW_C_API windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* grid, const char* path,
                                                     const windrow_vdb_options* options);
 
+/* What a film shows: the wind in its box and around it, on voxels of one size (fluid/vdb/film_grid.h). Outside of the box a voxel holds
+   the ambient wind with its profile and gusts. */
+typedef struct windrow_vdb_film {
+    uint32_t struct_size;
+    int32_t has_region; /* 1: low and high; 0, the default: the box, and `margin` more on each side, none below a wall */
+    windrow_dvec3 low;  /* [m] corners in the world, grown to whole voxels */
+    windrow_dvec3 high;
+    double margin;     /* [m] */
+    float voxel_size;  /* [m] 0, the default: that of the cells */
+    int32_t speed;     /* 1: adds the grid `speed` [m/s] */
+    int32_t vorticity; /* 1: adds the grid of vectors `vorticity` [1/s] */
+    uint32_t scalar_count;
+    const windrow_vdb_scalar* scalars; /* further grids, one value a cell of the box; outside of it they fade to 0 */
+} windrow_vdb_film;
+WINDROW_C_API windrow_result windrow_vdb_film_init(windrow_vdb_film* film, uint32_t struct_size);
+/* Writes a frame, with the cells inside obstacles. `options` may be null. */
+WINDROW_C_API windrow_result windrow_vdb_write_film(const windrow_wind* wind, const windrow_vdb_film* film, const char* path,
+                                                    const windrow_vdb_options* options);
+
 #ifdef __cplusplus
 }
 #endif

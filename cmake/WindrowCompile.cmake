@@ -64,6 +64,14 @@ function(windrow_library target component)
   endif()
 endfunction()
 
+# windrow_link_openvdb(TARGET): for a target that includes OpenVDB's headers. Their templates are one copy with OpenVDB's own library: half
+# hidden, its registry of grids crashes. Headers that others precompiled are hidden.
+function(windrow_link_openvdb target)
+  target_link_libraries(${target} PRIVATE OpenVDB::openvdb)
+  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET default VISIBILITY_INLINES_HIDDEN OFF
+                        DISABLE_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # windrow_precompile(TARGET HEADER...): precompiles what most of its files include. For targets that are not installed: the library
 # itself is always compiled as it stands, so that a file that lacks an include is found there. For the rest the build with clang
 # (./dev test all) goes without.

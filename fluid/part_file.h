@@ -17,7 +17,7 @@ class PartFile {
     PartFile& operator=(const PartFile&) = delete;
 
     /// Makes the file, exclusively, and locks it. EEXIST: another part has the name, or its folder was cleared just now.
-    [[nodiscard]] int open(const std::filesystem::path& part);
+    [[nodiscard]] int open(std::filesystem::path part);
     [[nodiscard]] int write(const char* bytes, std::size_t count);
     [[nodiscard]] int seek(std::streamoff offset, std::ios_base::seekdir from, std::streamoff& position);
     /// The disk confirms all bytes, and the file gets its name; a file that has it is replaced. On Windows another process must not

@@ -28,7 +28,7 @@ PartFile::~PartFile() {
         ::close(descriptor(file_));
 }
 
-int PartFile::open(const std::filesystem::path& part) {
+int PartFile::open(std::filesystem::path part) {
     file_ = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (file_ < 0)
         return errno;
@@ -36,7 +36,7 @@ int PartFile::open(const std::filesystem::path& part) {
     struct stat own {};
     const bool locked = ::flock(descriptor(file_), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     if (locked && ::fstat(descriptor(file_), &own) == 0 && own.st_nlink > 0) {
-        part_ = part;
+        part_ = std::move(part); // a copy could fail, and leave the file
         return 0;
     }
     ::close(descriptor(std::exchange(file_, -1)));

@@ -27,12 +27,12 @@ PartFile::~PartFile() {
         DeleteFileW(part_.c_str());
 }
 
-int PartFile::open(const std::filesystem::path& part) {
+int PartFile::open(std::filesystem::path part) {
     const HANDLE file = CreateFileW(part.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
     if (file == INVALID_HANDLE_VALUE)
         return last_reason();
     file_ = reinterpret_cast<std::intptr_t>(file);
-    part_ = part;
+    part_ = std::move(part);
     return 0;
 }
 

@@ -45,7 +45,8 @@ inline constexpr const char* k_scene_with_every_key = R"({
         {"shape": {"plate": {}}, "path": "a", "turn_path": "a"},
         {"shape": {"mesh": {"file": "house.obj"}}}, {"shape": {"voxels": {"file": "tower.vox"}}},
         {"shape": {"ground": {"file": "ridge.pgm"}}}
-    ]})";
+    ],
+    "smoke": [{}, {"path": "a"}]})";
 
 /// A key with all that is under it.
 class SchemaNode {

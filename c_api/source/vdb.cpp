@@ -3,8 +3,10 @@
 
 #include "c_api/source/tables.h"
 #include "fluid/message.h"
+#include "fluid/vdb/film_grid.h"
 #include "fluid/vdb/vdb_export.h"
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -28,6 +30,7 @@ void read_rest(Reasons&, const Path&, const char* from, std::string& to) {
 
 WINDROW_C_STRUCT(windrow_vdb_options, vdb::Options, name, form, precision, up, time, frame, format);
 WINDROW_C_STRUCT_BUT(6, windrow_vdb_grid, vdb::VelocityGrid, cells, cell_size, cell_height, origin, outside);
+WINDROW_C_STRUCT_BUT(4, windrow_vdb_film, vdb::FilmSettings, speed, vorticity);
 
 } // namespace windrow::c_api
 
@@ -99,8 +102,58 @@ windrow_result with_grid(const windrow_wind* wind, const Use& use) {
     return use(grid);
 }
 
+/// The region that a host asks for, on voxels of a wind.
+vdb::Region region_of(const windrow_vdb_film& film, const WindView& view) {
+    vdb::Region region = vdb::region_around(view, film.margin, film.voxel_size);
+    if (film.has_region != 0) {
+        region.low = to_cpp(film.low);
+        region.high = to_cpp(film.high);
+    }
+    return region;
+}
+
 } // namespace
 
+WINDROW_EXPORT windrow_result windrow_vdb_film_init(windrow_vdb_film* film, uint32_t struct_size) {
+    return init(film, struct_size);
+}
+WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, const windrow_vdb_film* film, const char* path,
+                                                     const windrow_vdb_options* options) {
+    return call({{wind, "wind"}, {film, "film"}, {path, "path"}}, [&]() -> windrow_result {
+        windrow_result why = WINDROW_REJECTED;
+        const Result<WindView> view = wind->view(WINDROW_FRAME_NOW, why);
+        if (!view)
+            return fail(why, view.error());
+        Reasons reasons;
+        windrow_vdb_film taken;
+        vdb::FilmSettings settings;
+        if (!take(reasons, Path{nullptr, "film"}, film, taken))
+            return fail(WINDROW_REJECTED, reasons.take());
+        read_fields(reasons, Path{nullptr, "film"}, taken, settings);
+        if (!(taken.margin >= 0.0 && taken.voxel_size >= 0.0f && std::isfinite(taken.margin) && std::isfinite(taken.voxel_size)))
+            reasons.add("film.margin is ", taken.margin, " m, film.voxel_size ", taken.voxel_size, " m: give 0 or more, finite.");
+        if (taken.scalars == nullptr && taken.scalar_count > 0)
+            reasons.add("film.scalars is null: give as many as film.scalar_count, or count 0.");
+        if (!reasons.empty())
+            return fail(WINDROW_REJECTED, reasons.take());
+        const auto scalars = grids_of<vdb::CellScalar>(taken.scalars, taken.scalar_count, view->box().cell_count());
+        std::vector<float> obstacle;
+        if (const Wind* const air = wind->cpu(); air != nullptr && air->obstacles().count() > 0) {
+            obstacle.resize(view->box().cell_count());
+            if (auto written = air->write_obstacles(obstacle); !written)
+                return done(written);
+        }
+        settings.region = region_of(taken, *view);
+        settings.obstacle = obstacle;
+        settings.scalars = scalars;
+        settings.parallel_for = wind->config().parallel_for;
+        const Result<vdb::FilmGrid> grid = vdb::film_grid(*view, settings);
+        if (!grid)
+            return done(grid);
+        return with_options(options,
+                            [&](const vdb::Options& how) { return done_with(vdb::write(grid->grid, path_of(path), how)); });
+    });
+}
 WINDROW_EXPORT windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size) {
     return init(options, struct_size);
 }

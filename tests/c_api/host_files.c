@@ -58,6 +58,7 @@ static void check_vdb(const windrow_wind* wind, const char* folder) {
     windrow_vdb_options options;
     windrow_vdb_grid grid;
     windrow_vdb_scalar heat;
+    windrow_vdb_film film;
     windrow_vec4 cells[8];
     const float warm[8] = {1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f, 7.0f, 8.0f};
     CHECK_OK(windrow_vdb_options_init(&options, sizeof options));
@@ -80,6 +81,22 @@ static void check_vdb(const windrow_wind* wind, const char* folder) {
     heat.values = warm;
     grid.scalars = &heat;
     grid.scalar_count = 1;
+    options.form = WINDROW_VDB_ONE_VECTOR;
+    CHECK_OK(windrow_vdb_film_init(&film, sizeof film));
+    CHECK(film.margin == 0.0 && film.has_region == 0 && film.speed == 0);
+    film.margin = 4.0;
+    film.speed = 1;
+    film.vorticity = 1;
+    sprintf(path, "%.1000s/host_film.vdb", folder);
+    CHECK_OK(windrow_vdb_write_film(wind, &film, path, &options));
+    film.margin = -1.0;
+    CHECK_FAILS(windrow_vdb_write_film(wind, &film, path, NULL), WINDROW_REJECTED, "film.margin is -1 m");
+    film.margin = 0.0;
+    film.scalar_count = 1;
+    CHECK_FAILS(windrow_vdb_write_film(wind, &film, path, NULL), WINDROW_REJECTED, "film.scalars is null");
+    film.scalar_count = 0;
+    film.has_region = 1; /* without extent */
+    CHECK_FAILS(windrow_vdb_write_film(wind, &film, path, NULL), WINDROW_REJECTED, "");
     CHECK(windrow_vdb_has_nanovdb() == 0 || windrow_vdb_has_nanovdb() == 1);
     sprintf(path, "%.1000s/host_grid.vdb", folder);
     CHECK_OK(windrow_vdb_write_grid(&grid, path, NULL));
