@@ -1,5 +1,8 @@
 // What the sanitizers need to live with Mesa's software driver and Vulkan's validation layer. Part of each program that may
 // load them, so that it holds however the program is run, by CTest or by hand. Empty in a build without one.
+// The runtime of a sanitizer looks these up in the program.
+#pragma GCC visibility push(default)
+
 #if defined(__SANITIZE_ADDRESS__) // GCC
 #define WINDROW_ASAN 1
 #elif defined(__SANITIZE_THREAD__)
