@@ -16,7 +16,7 @@ HANDLE opened(const std::filesystem::path& file, DWORD access) {
                        FILE_FLAG_BACKUP_SEMANTICS, nullptr);
 }
 
-// Its only absolute name, links followed; empty where it cannot be told.
+// Its only absolute name, links followed; empty where Windows does not name it.
 std::filesystem::path real_name(HANDLE file) {
     std::wstring name(32768, L'\0');
     const DWORD length = GetFinalPathNameByHandleW(file, name.data(), static_cast<DWORD>(name.size()), FILE_NAME_NORMALIZED);

@@ -1,4 +1,4 @@
-// What the shaders of examples/cpu_textures.cpp are told, as push constants. Positions [m] x and z from the middle of the picture.
+// What the shaders of examples/cpu_textures.cpp take as push constants. Positions [m] x and z from the middle of the picture.
 layout(push_constant) uniform Plane {
     vec4 tower;     // xy where, z its radius
     vec4 house;     // xy where, zw its half size
