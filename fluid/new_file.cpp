@@ -27,8 +27,10 @@ std::string shortened(std::string name) {
 
 std::filesystem::path next_part(const std::filesystem::path& name) {
     static std::atomic<unsigned> count{0};
+    const std::string part =
+        message(shortened(name.filename().string()), ".", PartFile::process(), ".", count.fetch_add(1), k_part_suffix);
     return name.parent_path() /
-           message(shortened(name.filename().string()), ".", PartFile::process(), ".", count.fetch_add(1), k_part_suffix);
+           std::u8string(part.begin(), part.end()); // a path of bytes would take each for a letter on Windows
 }
 
 } // namespace

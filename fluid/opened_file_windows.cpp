@@ -16,8 +16,9 @@ HANDLE opened(const std::filesystem::path& file, DWORD access) {
                        FILE_FLAG_BACKUP_SEMANTICS, nullptr);
 }
 
-// Its only absolute name, links followed; empty where Windows does not name it.
-std::filesystem::path real_name(HANDLE file) {
+// Its only absolute name, links followed, which begins with \\?\; empty where Windows does not name it. Not a path: a name on a
+// drive within a path has no relative path in the standard library.
+std::wstring real_name(HANDLE file) {
     std::wstring name(32768, L'\0');
     const DWORD length = GetFinalPathNameByHandleW(file, name.data(), static_cast<DWORD>(name.size()), FILE_NAME_NORMALIZED);
     name.resize(length < name.size() ? length : 0);
@@ -49,12 +50,14 @@ bool OpenedFile::is_inside(const std::filesystem::path& folder) const {
     const HANDLE handle = opened(folder.empty() ? L"." : folder, 0);
     if (handle == INVALID_HANDLE_VALUE)
         return false;
-    const std::filesystem::path home = real_name(handle), real = real_name(reinterpret_cast<HANDLE>(file_));
+    std::wstring home = real_name(handle);
+    const std::wstring real = real_name(reinterpret_cast<HANDLE>(file_));
     CloseHandle(handle);
-    if (home.empty() || real.empty())
-        return false;
-    const std::filesystem::path way = real.lexically_relative(home);
-    return !way.empty() && *way.begin() != L"..";
+    if (home.empty() || real == home)
+        return !home.empty();
+    if (!home.ends_with(L'\\'))
+        home += L'\\'; // the root of a drive has one
+    return real.starts_with(home);
 }
 
 std::ptrdiff_t OpenedFile::read(char* bytes, std::size_t most) {

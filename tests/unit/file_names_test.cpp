@@ -48,7 +48,8 @@ TEST_F(FileNames, MayBeLong) {
     for (int n = 0; n < 60; ++n)
         letters += u8"风";
     const fs::path file = folder / fs::path(letters);
-    ASSERT_TRUE(detail::write_file("file", file, "x"));
+    const auto written = detail::write_file("file", file, "x");
+    ASSERT_TRUE(written) << written.error();
     EXPECT_EQ(text_of(file), "x");
 }
 
