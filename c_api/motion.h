@@ -37,6 +37,9 @@ typedef struct windrow_spring_step {
 WINDROW_C_API windrow_result windrow_spring_step_make(const windrow_spring_class* spring, double duration,
                                                       windrow_spring_step* step);
 WINDROW_C_API windrow_result windrow_spring_step_block(const windrow_spring_step* step, windrow_spring_block* block);
+/* A frame of `duration` [s] for plants that swing on a device (windrow_blade_swing of windrow_plants.glsl). */
+WINDROW_C_API windrow_result windrow_swing_step_make(const windrow_spring_class* spring, double duration,
+                                                     windrow_swing_block* block);
 
 /* Springs side by side, `count` numbers each: floats or doubles by the call. The last three may be null. */
 typedef struct windrow_spring_batch {

@@ -88,6 +88,10 @@ typedef struct windrow_tree_block {
 typedef struct windrow_spring_block {
     windrow_vec4 place, velocity;
 } windrow_spring_block;
+typedef struct windrow_swing_block {
+    windrow_spring_block spring, smoothing;
+    windrow_vec4 parts;
+} windrow_swing_block;
 typedef struct windrow_pose_block {
     windrow_vec4 place, rotation;
 } windrow_pose_block;

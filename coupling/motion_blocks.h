@@ -12,6 +12,14 @@ struct SpringBlock {
 };
 static_assert(sizeof(SpringBlock) == 32);
 
+/// A frame of a class of plants that swing: WindrowSwingStep of shaders/numerics/swing.glsl.
+struct SwingBlock {
+    SpringBlock spring{};                    ///< of a part of the frame
+    SpringBlock smoothing{};                 ///< of a part, for what the detail adds
+    glm::vec4 parts{1.0f, 0.0f, 0.0f, 0.0f}; ///< x their number, y [s] length of one, zw 0
+};
+static_assert(sizeof(SwingBlock) == 80);
+
 /// A stage of a cascade, or the body: WindrowPose of shaders/numerics/cascade.glsl.
 struct PoseBlock {
     glm::vec4 place{0.0f};                      ///< xyz [m] from the anchor, w scale

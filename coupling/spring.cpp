@@ -131,6 +131,24 @@ SpringBlock SpringStep::block() const {
     return block;
 }
 
+Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
+    constexpr double k_part = 1.0 / 60.0, k_most_parts = 8.0; // ripples pass a blade several times a second
+    const double parts = std::clamp(std::ceil(duration / k_part - 1e-6), 1.0, k_most_parts);
+    const auto step = spring_step(spring, duration / parts);
+    if (!step)
+        return Error{step.error()};
+    constexpr double k_butterworth = 0.70710678118654752; // damping of the flattest filter of two poles
+    const double passed_hz = 6.0 / 7.0 * spring.frequency_hz, shown_hz = duration > 0.0 ? 0.15 / duration : passed_hz;
+    const auto filter = spring_step({std::clamp(shown_hz, 1e-4, std::max(passed_hz, 1e-4)), k_butterworth}, duration / parts);
+    if (!filter)
+        return Error{filter.error()};
+    SwingBlock block;
+    block.spring = step->block();
+    block.smoothing = filter->block();
+    block.parts = {static_cast<float>(parts), static_cast<float>(duration / parts), 0.0f, 0.0f};
+    return block;
+}
+
 template <class Real>
 Result<void> advance_springs(const SpringStep& step, const SpringBatch<Real>& batch, ParallelFor parallel_for) {
     const std::size_t count = batch.place.size();

@@ -67,6 +67,12 @@ struct WINDROW_API SpringStep {
 /// and a duration that is negative or not finite.
 [[nodiscard]] WINDROW_API Result<SpringStep> spring_step(const SpringClass& spring, double duration);
 
+/// A frame of `duration` [s] for plants that swing on a device (windrow_blade_swing of shaders/coupling/windrow_plants.glsl): its
+/// parts, at most 1/60 s each and at most 8, and a part's step. Ripples of the detail pass a filter first, up to 6/7 of the
+/// spring's frequency, 3 Hz for grass; or to 0.15 of the frame rate where that is lower, as below 20 a second: what faster ones do
+/// would be seen as noise. Rejects as `spring_step`.
+[[nodiscard]] WINDROW_API Result<SwingBlock> swing_step(const SpringClass& spring, double duration);
+
 /// Springs side by side: component i of each array belongs to spring i. A vector's components are springs of their own.
 template <class Real>
 struct SpringBatch {

@@ -110,6 +110,15 @@ WINDROW_EXPORT windrow_result windrow_spring_step_block(const windrow_spring_ste
         return WINDROW_OK;
     });
 }
+WINDROW_EXPORT windrow_result windrow_swing_step_make(const windrow_spring_class* spring, double duration,
+                                                      windrow_swing_block* block) {
+    return call({{spring, "spring"}, {block, "block"}}, [&] {
+        const Result<SwingBlock> made = swing_step(plain(*spring), duration);
+        if (made)
+            copy_block(*made, block);
+        return done(made);
+    });
+}
 WINDROW_EXPORT windrow_result windrow_springs_advance_float(const windrow_spring_step* step, const windrow_spring_batch* batch,
                                                             const windrow_parallel_for* parallel_for) {
     return advance<float>(step, batch, parallel_for);

@@ -20,6 +20,7 @@
 #include "../numerics/blade.glsl"
 #include "../numerics/shell.glsl"
 #include "../numerics/strand.glsl"
+#include "../numerics/swing.glsl"
 #include "../numerics/tree.glsl"
 
 // [m/s] What a thing at p feels that moves at `velocity` [m/s]: this frame, and the one before.
@@ -47,6 +48,42 @@ vec3 windrow_blade_bend(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, vec3 
 vec3 windrow_blade_bend_previous(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, vec3 velocity) {
     vec3 u = windrow_wind_on_previous(windrow_blade_middle(blade, root, up, key), velocity);
     return windrow_blade_load(blade, up, windrow_plant_hash(key), u);
+}
+
+// [rad] What the wind u [m/s] holds, x and z, without its detail; and what the detail adds `back` seconds before this frame's end.
+vec2 windrow_swing_held(WindrowBlade blade, vec3 up, uvec2 hash, vec3 u) {
+    vec3 felt = windrow_limited(u, windrow_frame.ambient.felt_strength, windrow_frame.ambient.felt_limit);
+    return windrow_blade_load(blade, up, hash, felt).xz;
+}
+vec2 windrow_swing_ripple(WindrowBlade blade, vec3 middle, vec3 up, uvec2 hash, vec3 u, float back) {
+    if (!(windrow_frame.ambient.detail_amount > 0.0))
+        return vec2(0.0);
+    vec3 drift = vec3(windrow_frame.ambient.mean.x, 0.0, windrow_frame.ambient.mean.z);
+    vec3 felt = windrow_felt(0, windrow_frame.ambient, u, middle + back * drift);
+    return windrow_blade_load(blade, up, hash, felt).xz - windrow_swing_held(blade, up, hash, u);
+}
+
+// A blade with inertia, one call a frame and blade: a compute pass keeps its state in a buffer of yours, as it is or packed to 20
+// bytes (windrow_swing_packed). Its bend is then windrow_level(swing.bend); a frame ago it was the bend of the state before. `hash`
+// is windrow_plant_hash of the key; `step` comes from windrow::swing_step. `goes_on`: the state is of the frame before; else the
+// blade begins at rest. It grows along `up`, nearly upright.
+WindrowSwing windrow_blade_swing(WindrowSwingStep step, WindrowBlade blade, vec3 root, vec3 up, uvec2 hash, vec3 velocity,
+                                 bool goes_on, WindrowSwing swing) {
+    vec3 middle = root + 0.5 * windrow_blade_length(blade, hash) * up;
+    vec3 now = windrow_velocity(middle) - velocity;
+    if (!goes_on)
+        return windrow_swing_begin(windrow_swing_held(blade, up, hash, now));
+    vec3 before = windrow_velocity_previous(middle) - velocity;
+    vec2 last = windrow_swing_held(blade, up, hash, before);
+    for (float part = 1.0; part <= step.parts.x; part += 1.0) {
+        vec2 held = windrow_swing_held(blade, up, hash, now + (1.0 - part / step.parts.x) * (before - now));
+        float back = step.parts.x - part + 0.5; // parts from the frame's end to the middle of this one
+        vec2 ripple =
+            windrow_swing_ripple(blade, middle, up, hash, now + back / step.parts.x * (before - now), back * step.parts.y);
+        swing = windrow_swing_part(step, swing, last, held, ripple);
+        last = held;
+    }
+    return swing;
 }
 
 // A vertex at height h, 0 to 1, and side -1 to 1; its position [m] from the anchor. `eye` [m] from the anchor too.

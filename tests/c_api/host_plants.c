@@ -122,6 +122,7 @@ static void check_springs(void) {
     windrow_spring_class spring;
     windrow_spring_step step;
     windrow_spring_block block;
+    windrow_swing_block swing;
     windrow_spring_batch batch;
     windrow_cascade_step* cascade = NULL;
     windrow_cascade_batch rows;
@@ -133,6 +134,9 @@ static void check_springs(void) {
     CHECK_FAILS(windrow_spring_step_make(&spring, -1.0, &step), WINDROW_REJECTED, "-1");
     CHECK_OK(windrow_spring_step_make(&spring, 100.0, &step));
     CHECK_OK(windrow_spring_step_block(&step, &block));
+    CHECK_FAILS(windrow_swing_step_make(&spring, -1.0, &swing), WINDROW_REJECTED, "-1");
+    CHECK_OK(windrow_swing_step_make(&spring, 1.0 / 24.0, &swing));
+    CHECK(swing.parts.x == 3.0f && swing.parts.y < 1.0f / 60.0f);
     memset(&batch, 0, sizeof batch);
     batch.count = 1;
     batch.place = &place;

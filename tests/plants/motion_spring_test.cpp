@@ -192,6 +192,30 @@ double spread(const SpringClass& spring, SpringArithmetic way) {
     return worst;
 }
 
+// A frame's parts are short enough for ripples, and its filter passes no more than the frames can show.
+TEST(MotionSpring, SwingsInPartsOfAFrame) {
+    for (const auto& [duration, parts] : {std::pair{1.0 / 144.0, 1.0f},
+                                          {1.0 / 60.0, 1.0f},
+                                          {1.0 / 30.0, 2.0f},
+                                          {1.0 / 24.0, 3.0f},
+                                          {0.05, 3.0f},
+                                          {2.0, 8.0f},
+                                          {0.0, 1.0f}}) {
+        const auto swing = swing_step(springs::grass, duration);
+        ASSERT_TRUE(swing) << swing.error();
+        EXPECT_EQ(swing->parts.x, parts) << duration;
+        EXPECT_FLOAT_EQ(swing->parts.x * swing->parts.y, static_cast<float>(duration));
+        const auto part = spring_step(springs::grass, duration / static_cast<double>(parts))->block();
+        EXPECT_EQ(swing->spring.place, part.place);
+        const double passed_hz = std::min(3.0, duration > 0.0 ? 0.15 / duration : 3.0);
+        const auto smoothing = spring_step({passed_hz, std::sqrt(0.5)}, duration / static_cast<double>(parts))->block();
+        EXPECT_NEAR(swing->smoothing.place.x, smoothing.place.x, 1e-6) << duration;
+    }
+    for (const double duration : {-1.0, std::nan(""), HUGE_VAL})
+        EXPECT_FALSE(swing_step(springs::grass, duration)) << duration;
+    EXPECT_FALSE(swing_step({0.0, 0.2}, 0.01));
+}
+
 TEST(MotionSpring, IsTheSameAtAnyFrameRate) {
     for (const Named& named : k_classes) {
         const std::string name = std::string("motion/spring/rates/") + named.name;

@@ -8,18 +8,19 @@
 namespace windrow::vegetation::program {
 namespace {
 
-/// Those of coupling/plant_classes.h, by its functions' names.
+/// Those of coupling/plant_classes.h, by its functions' names, and how they swing.
 constexpr struct {
     const char* name;
     windrow::Drag (*stalk)();
-} k_classes[] = {{"grass", &windrow::grass},
-                 {"wheat", &windrow::wheat},
-                 {"reed", &windrow::reed},
-                 {"leaf", &windrow::leaf},
-                 {"twig", &windrow::twig},
-                 {"branch", &windrow::branch},
-                 {"small_trunk", &windrow::small_trunk},
-                 {"large_trunk", &windrow::large_trunk}};
+    windrow::SpringClass spring;
+} k_classes[] = {{"grass", &windrow::grass, render::GrassLayerSettings{}.spring},
+                 {"wheat", &windrow::wheat, windrow::springs::wheat},
+                 {"reed", &windrow::reed, windrow::springs::reed},
+                 {"leaf", &windrow::leaf, windrow::springs::leaf},
+                 {"twig", &windrow::twig, windrow::springs::twig},
+                 {"branch", &windrow::branch, windrow::springs::branch},
+                 {"small_trunk", &windrow::small_trunk, windrow::springs::branch},
+                 {"large_trunk", &windrow::large_trunk, windrow::springs::trunk}};
 
 void read_stroke(JsonObject object, Stroke& stroke) {
     const std::size_t kind = object.one_of({"paint", "erase"});
@@ -98,6 +99,7 @@ void read_part(JsonObject object, GrassSource& layer, Surroundings& around) {
             if (const std::size_t chosen = object.word_index(key, member, names); chosen < names.size()) {
                 member = names[chosen];
                 layer.drawn.field.blade.stalk = k_classes[chosen].stalk();
+                layer.drawn.spring = k_classes[chosen].spring;
             }
             return true;
         } else if constexpr (std::same_as<Member, windrow::Drag>) { // the layer has its length

@@ -340,11 +340,13 @@ Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
 void Shoot::set_time_step(double seconds) {
     for (const auto& stand : trees_)
         stand->set_time_step(seconds);
+    for (const auto& layer : grass_)
+        layer->set_time_step(seconds);
 }
 
 Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
     move_streaks(time, seconds);
-    if (trees_.empty() && dressed_->empty())
+    if (trees_.empty() && grass_.empty() && dressed_->empty())
         return {};
     set_time_step(seconds);
     if (auto moved = dressed_->move(time, seconds); !moved)
@@ -353,6 +355,8 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
     dressed_->append_to(swinging);
     for (const auto& stand : trees_)
         swinging.push_back(stand.get());
+    for (const auto& layer : grass_)
+        swinging.push_back(layer.get());
     return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
 }
 

@@ -6,6 +6,7 @@
 #include "shader_words/field_blade_vert.h"
 #include "shader_words/field_blades.h"
 #include "shader_words/field_ground.h"
+#include "shader_words/field_swung.h"
 #include "vegetation/render/plant_look_block.h"
 #include "vegetation/vulkan/descriptors.h"
 
@@ -31,6 +32,20 @@ constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFE
                                 engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
                                 engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
 constexpr std::size_t k_plain_bindings = 3; // without the ground's
+constexpr std::array k_swing_bindings{k_bindings[0],
+                                      k_bindings[1],
+                                      k_bindings[2],
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
+
+// The block of field_blades.glsl.
+struct SwingFrame {
+    windrow::SwingBlock step{};
+    glm::uvec4 frame{0u};
+};
+static_assert(sizeof(SwingFrame) == 96);
+constexpr VkDeviceSize k_swing_bytes = 20; // WindrowSwingBits
 
 // What both shadow maps show: boxes along the same light. The near one's corners, in the far one's clip space, widen the far one.
 glm::mat4 around_both(const glm::mat4& near, const glm::mat4& far) {
@@ -104,7 +119,23 @@ void GrassLayer::make(const DrawTargets& targets) {
         }
         return made;
     };
-    plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
+    if (settings_.springs) {
+        plain_ = pass(k_swing_bindings, words::field_swung);
+        const auto places = static_cast<VkDeviceSize>(settings_.field.max_chunks) *
+                            static_cast<VkDeviceSize>(settings_.field.chunk_cells * settings_.field.chunk_cells);
+        const VkBuffer swings = objects_.storage("The grass's springs", "lower max_blades",
+                                                 2 * k_swing_bytes * static_cast<VkDeviceSize>(settings_.max_blades), storage);
+        listed_ = objects_.storage("The grass's index of springs", "lower grass.max_chunks", 2 * sizeof(std::uint32_t) * places,
+                                   storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+        swing_blocks_ = objects_.frame_buffers(sizeof(SwingFrame), storage);
+        for (std::size_t slot = 0; slot < plain_.sets.size(); ++slot) {
+            point(device_, plain_.sets[slot], 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, swings);
+            point(device_, plain_.sets[slot], 4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, listed_);
+            point(device_, plain_.sets[slot], 5, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, swing_blocks_[slot].buffer);
+        }
+    } else {
+        plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
+    }
     on_ground_ = pass(k_bindings, words::field_ground);
     ground_blocks_ = objects_.frame_buffers(sizeof(windrow::GroundBlock), storage);
     sampler_ = objects_.sampler(engine::Sampler::texels);
@@ -131,6 +162,17 @@ void GrassLayer::point_at_ground(const PassContext& context) {
     point(device_, set, 5, ground_->previous_texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
+void GrassLayer::begin_swing(const PassContext& context) {
+    if (listed_ == VK_NULL_HANDLE)
+        return;
+    if (++frame_ == 1) // no number of a frame is 0
+        vkCmdFillBuffer(context.commands, listed_, 0, VK_WHOLE_SIZE, 0);
+    SwingFrame frame{.frame = {frame_, 0u, 0u, 0u}};
+    if (const auto step = windrow::swing_step(settings_.spring, time_step_))
+        frame.step = *step;
+    std::memcpy(swing_blocks_[context.slot].mapped, &frame, sizeof frame);
+}
+
 Result<void> GrassLayer::prepare(const PassContext& context) {
     grass::GrassCamera camera{
         .anchor = context.anchor, .view_projection = context.block->view_projection, .eye = glm::vec3(context.block->eye)};
@@ -138,7 +180,8 @@ Result<void> GrassLayer::prepare(const PassContext& context) {
         camera.shadow_view_projection = context.block->shadow[0];
     else if (settings_.shadows == 2)
         camera.shadow_view_projection = around_both(context.block->shadow[0], context.block->shadow[1]);
-    const auto culled = field_.record_cull(context.commands, camera);
+    begin_swing(context);
+    const auto culled = field_.record_cull(context.commands, camera); // waits for what was filled
     if (!culled)
         return Error{culled.error()};
     report_ = *culled;

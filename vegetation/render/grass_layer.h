@@ -4,10 +4,11 @@
 //     renderer->add(**grass);                                  // before the first frame
 //     (*grass)->set_ground(&ground_memory);                    // where walkers leave trails
 //
-// A frame: the field culls its chunks into lists (grass_field.h); one pass looks at each visible blade once, at its wind now and
-// a frame ago and at the ground under it; the draws of the picture and of the shadow only read that.
+// A frame: the field culls its chunks into lists (grass_field.h); one pass swings each visible blade in the wind, another
+// looks at the ground under it; the draws of the picture and of the shadow only read that.
 #pragma once
 
+#include "../../coupling/spring.h"
 #include "../../coupling/vulkan/ground_memory.h"
 #include "../grass/grass_field.h"
 #include "../vulkan/frames.h"
@@ -24,6 +25,8 @@ struct GrassLayerSettings {
     PlantLook look{};
     int max_blades = 262144;
     int shadows = 1;
+    bool springs = true;
+    windrow::SpringClass spring{3.5, 0.5};
 
     static constexpr auto settings() {
         return std::tuple{
@@ -37,6 +40,13 @@ struct GrassLayerSettings {
                 "shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
                 "Number of shadow maps, of two, that it is drawn into. 1 is the near one: a blade is far finer than a texel of "
                 "the other."),
+            Setting("springs", &GrassLayerSettings::springs,
+                    "Blades swing. Off: each is as the wind holds it, at once. A state of 20 bytes a visible blade, kept twice, "
+                    "and 8 bytes a place that has memory."),
+            Setting(
+                "spring", &GrassLayerSettings::spring,
+                "Its class of springs; in a scene that of the layer's class. Grass is springs::grass with the drag of its own "
+                "motion: rho C_d w U / (2 m omega) is 0.3 for a blade of 4 mm and 0.8 g a metre in 2 m/s."),
         };
     }
 };
@@ -65,6 +75,9 @@ class GrassLayer final : public Drawable {
     /// recording, with GroundStep::wind_lean at 0 since the layer has the wind itself. Null: none, which costs nothing.
     void set_ground(const windrow::vulkan::GroundMemory* ground) { ground_ = ground; }
 
+    /// [s] Time from the last prepared frame to the next. Default 1/60.
+    void set_time_step(double seconds) { time_step_ = seconds; }
+
     Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
 
@@ -87,6 +100,7 @@ class GrassLayer final : public Drawable {
         std::array<VkDescriptorSet, engine::k_frames_in_flight> sets{};
     };
     void point_at_ground(const PassContext& context);
+    void begin_swing(const PassContext& context);
 
     engine::Device& device_;
     GrassLayerSettings settings_;
@@ -97,6 +111,10 @@ class GrassLayer final : public Drawable {
     engine::FrameBuffers ground_blocks_{};
     VkSampler sampler_ = VK_NULL_HANDLE;
     VkBuffer blades_ = VK_NULL_HANDLE;
+    VkBuffer listed_ = VK_NULL_HANDLE; // of springs alone
+    engine::FrameBuffers swing_blocks_{};
+    double time_step_ = 1.0 / 60.0;
+    std::uint32_t frame_ = 0;
     BladePass plain_{}, on_ground_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;

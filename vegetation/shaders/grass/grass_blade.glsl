@@ -26,6 +26,7 @@ layout(std430, set = GRASS_SET, binding = 2) readonly buffer GrassLists { uint g
 layout(std430, set = GRASS_SET, binding = 3) readonly buffer GrassChunks { ivec2 grass_chunks[]; };
 
 struct GrassBlade {
+    uint place;        // number of its place among those of all slots
     vec3 root;         // [m] from the anchor
     uvec2 key;         // its own, for windrow_blade_bend
     uvec2 hash;        // of its traits: the key's, turned to face as its clump does
@@ -46,7 +47,8 @@ GrassBlade grass_blade_seen(uvec2 told, uint instance, vec3 eye) {
     blade.level = int(told.y & 1u);
     uint place = blade.level == WINDROW_GRASS_NEAR ? grass_lists[list * places + instance]
                                                    : grass_lists[(list + 1u) * places - 1u - instance];
-    vec4 record = grass_blades[told.x * places + place];
+    blade.place = told.x * places + place;
+    vec4 record = grass_blades[blade.place];
     ivec2 cell = grass_chunks[told.x] * int(side) + ivec2(int(place % side), int(place / side));
     float distance = length(record.xyz - eye);
     blade.root = record.xyz + grass.corner.xyz;

@@ -1,0 +1,193 @@
+// Blades with springs: the same motion at any frame rate, as the library's own spring has it in the wind that the blades felt, and
+// one motion of a blade in the picture and in its shadow.
+#include "coupling/spring.h"
+#include "tests/figure.h"
+#include "vegetation/tests/render/grass_stage.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace windrow::vegetation::render {
+namespace {
+
+constexpr glm::dvec3 k_corner{2e5, 0.0, -7e4}; // [m]
+constexpr double k_settled = 1.0;              // [s] a spring of 3.5 Hz and a damping of 0.5 forgets by e^-11
+
+using Series = std::vector<std::vector<glm::dvec2>>; // [frame][blade], bend [rad]
+
+Scene gusty_scene() {
+    Scene scene;
+    scene.ground = {.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
+    scene.wind.wind.cells = {8, 4, 8};
+    scene.wind.wind.centre = k_corner + glm::dvec3(12.0, 2.0, 12.0);
+    scene.wind.wind.ambient = {3.4f, 0.0f, 4.2f}; // of examples/scenes/meadow.json
+    scene.wind.wind.profile = {.roughness_length = 0.05f};
+    scene.wind.wind.gusts = {.intensity = 0.4f, .length = 14.0f};
+    scene.wind.sampling = {.detail = 0.6f, .detail_length = 0.5f};
+    return scene;
+}
+
+Camera camera_at_the_side() {
+    Camera camera;
+    camera.position = k_corner + glm::dvec3(12.0, 3.0, 23.0);
+    camera.target = k_corner + glm::dvec3(12.0, 0.0, 12.0);
+    return camera;
+}
+
+struct Swinging {
+    explicit Swinging(int shadows = 0)
+        : stage(gusty_scene(), {.width = 64, .height = 36, .samples = 1, .shadow_texels = 64, .anchor = k_corner}) {
+        const auto mask = *grass::PlacementMask::create({33, 33}, stage.scene.ground.heights.extent(), 1.0f);
+        const grass::GrassSettings field{.density = 2.0f, .split_distance = 12.0f, .cut_distance = 30.0f, .max_chunks = 16};
+        swings = &stage.grow(mask, {.field = field, .shadows = shadows});
+        stiff = &stage.grow(mask, {.field = field, .shadows = shadows, .springs = false});
+    }
+    void step(double frame_time) {
+        swings->set_time_step(frame_time);
+        stage.draw(camera_at_the_side(), frame_time);
+    }
+    std::vector<glm::dvec2> bends(GrassLayer& layer) {
+        std::vector<glm::dvec2> found;
+        for (const FieldBlade& blade : stage.values_of<FieldBlade>(layer.visible_blades(), stage.drawn(layer)))
+            found.emplace_back(blade.bend.x, blade.bend.y);
+        return found;
+    }
+
+    test::GrassStage stage;
+    GrassLayer *swings = nullptr, *stiff = nullptr;
+};
+
+// What moves: root mean square about each blade's own mean.
+double moving_rms(const Series& series) {
+    double sum = 0.0;
+    for (std::size_t blade = 0; blade < series.front().size(); ++blade) {
+        glm::dvec2 mean(0.0);
+        for (const auto& frame : series)
+            mean += frame[blade] / static_cast<double>(series.size());
+        for (const auto& frame : series)
+            sum += glm::dot(frame[blade] - mean, frame[blade] - mean);
+    }
+    return std::sqrt(sum / static_cast<double>(series.size() * series.front().size()));
+}
+
+// Power at a frequency, summed over the blades, of a window that fades at both ends (Hann).
+double power_at(const Series& series, double frequency, double frame_time) {
+    double power = 0.0;
+    for (std::size_t blade = 0; blade < series.front().size(); ++blade) {
+        glm::dvec2 real(0.0), imaginary(0.0);
+        for (std::size_t n = 0; n < series.size(); ++n) {
+            const double angle = 2.0 * std::numbers::pi * frequency * frame_time * static_cast<double>(n);
+            const double window =
+                0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(series.size()));
+            real += window * std::cos(angle) * series[n][blade];
+            imaginary += window * std::sin(angle) * series[n][blade];
+        }
+        power += glm::dot(real, real) + glm::dot(imaginary, imaginary);
+    }
+    return power;
+}
+
+// The parts of a frame are at most 1/60 s long, over which targets are linear: a wave of the spring's 3.5 Hz is off by
+// (omega h)^2 / 12 = 1.1 %. Between frames at 24 Hz the wind's textures are linear as well, whose waves of 2 Hz are off by 2.3 %.
+// Together and at a resonance of 1 / (2 zeta) = 2.5 times, less than a tenth of what moves.
+TEST(GrassSwing, IsTheSameAtAnyFrameRate) {
+    constexpr int k_compared = 6; // a second
+    Series finest;
+    for (const int rate : {144, 60, 30, 24}) {
+        Swinging meadow;
+        Series series;
+        for (int frame = 1; frame <= 2 * rate; ++frame) {
+            meadow.step(1.0 / rate);
+            if (frame % (rate / k_compared) == 0 && frame > k_settled * rate)
+                series.push_back(meadow.bends(*meadow.swings));
+        }
+        ASSERT_GT(series.front().size(), 300u);
+        if (rate == 144)
+            finest = series;
+        double apart = 0.0;
+        for (std::size_t n = 0; n < series.size(); ++n) {
+            ASSERT_EQ(series[n].size(), finest[n].size());
+            for (std::size_t blade = 0; blade < series[n].size(); ++blade)
+                apart += glm::dot(series[n][blade] - finest[n][blade], series[n][blade] - finest[n][blade]);
+        }
+        apart = std::sqrt(apart / static_cast<double>(series.size() * series.front().size())) / moving_rms(finest);
+        WINDROW_EXPECT_FIGURE("render/grass/swing_at_" + std::to_string(rate) + "_hz_from_144_hz", apart, 0.1);
+    }
+}
+
+// The bounds are those that grass has to keep: less motion would be stiff grass, none frozen grass.
+TEST(GrassSwing, IsTheSpringOfTheLibraryInTheWindOfTheBlades) {
+    constexpr double k_frame = 1.0 / 60.0;
+    constexpr int k_frames = 300;
+    Swinging meadow;
+    Series made, wanted, held;
+    std::vector<double> place, velocity, before;
+    const auto step = *windrow::spring_step(windrow::springs::grass, k_frame);
+    for (int frame = 0; frame < k_frames; ++frame) {
+        meadow.step(k_frame);
+        const std::vector<glm::dvec2> targets = meadow.bends(*meadow.stiff);
+        const std::span<const double> now(&targets.data()->x, 2 * targets.size());
+        if (frame == 0) {
+            place.assign(now.begin(), now.end());
+            velocity.assign(now.size(), 0.0);
+            before = place;
+        }
+        ASSERT_TRUE(windrow::advance_springs<double>(step, {place, velocity, before, now}));
+        before.assign(now.begin(), now.end());
+        if (frame * k_frame < k_settled)
+            continue;
+        made.push_back(meadow.bends(*meadow.swings));
+        held.push_back(targets);
+        auto& springs = wanted.emplace_back();
+        for (std::size_t n = 0; n < place.size(); n += 2)
+            springs.emplace_back(place[n], place[n + 1]);
+    }
+    const double rms = moving_rms(made) / moving_rms(wanted);
+    windrow::test::figure("render/grass/swing_rms_of_the_spring", rms);
+    EXPECT_GE(rms, 0.8);
+    EXPECT_LE(rms, 1.05);
+    double worst = 0.0;
+    for (const double frequency : {0.5, 1.0, 1.5, 1.9}) {
+        const double decibels = 10.0 * std::log10(power_at(made, frequency, k_frame) / power_at(wanted, frequency, k_frame));
+        worst = std::max(worst, std::abs(decibels));
+    }
+    WINDROW_EXPECT_FIGURE("render/grass/swing_spectrum_below_2_hz_db", worst, 3.0);
+    // Stiff grass does what passes it at 5 Hz and more; a spring of 3.5 Hz does not.
+    const double fast = 10.0 * std::log10(power_at(made, 8.0, k_frame) / power_at(held, 8.0, k_frame));
+    windrow::test::figure("render/grass/swing_at_8_hz_of_stiff_db", fast);
+    EXPECT_LT(fast, -20.0 * std::log10((8.0 / 3.5) * (8.0 / 3.5) - 1.0));
+}
+
+TEST(GrassSwing, IsOneInThePictureAndInItsShadow) {
+    Swinging meadow(1);
+    for (int frame = 0; frame < 20; ++frame)
+        meadow.step(1.0 / 30.0);
+    const auto all = meadow.stage.values_of<FieldBlade>(meadow.swings->visible_blades(), 2 * meadow.stage.drawn(*meadow.swings));
+    std::map<std::pair<float, float>, glm::vec4> first;
+    int twice = 0;
+    for (const FieldBlade& blade : all) {
+        const auto [found, is_new] = first.try_emplace({blade.root.x, blade.root.z}, blade.bend);
+        twice += is_new ? 0 : 1;
+        EXPECT_EQ(found->second, blade.bend) << blade.root.x << ' ' << blade.root.z;
+    }
+    EXPECT_GT(twice, 100);
+}
+
+// Where a blade was a frame ago is where the frame before drew it.
+TEST(GrassSwing, RemembersTheFrameBefore) {
+    Swinging meadow;
+    meadow.step(1.0 / 24.0);
+    const auto first = meadow.bends(*meadow.swings);
+    meadow.step(1.0 / 24.0);
+    const auto now = meadow.stage.values_of<FieldBlade>(meadow.swings->visible_blades(), first.size());
+    double moved = 0.0;
+    for (std::size_t n = 0; n < now.size(); ++n) {
+        EXPECT_EQ(glm::dvec2(now[n].bend.z, now[n].bend.w), first[n]);
+        moved = std::max(moved, static_cast<double>(std::abs(now[n].bend.x - now[n].bend.z)));
+    }
+    EXPECT_GT(moved, 1e-3);
+}
+
+} // namespace
+} // namespace windrow::vegetation::render
