@@ -60,11 +60,11 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
     }
     return engine::guarded([&] {
         return std::unique_ptr<Coat>(
-            new Coat(device, targets, mesh, part_mesh(mesh, parts), settings, pictures, body, std::move(cascade), anchor));
+            new Coat(device, targets, mesh, part_mesh(mesh, parts, settings), settings, pictures, body, std::move(cascade), anchor));
     });
 }
 
-Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts) {
+Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts, const CoatSettings& settings) {
     PartMesh made;
     constexpr std::uint32_t none = ~0u;
     std::vector<std::uint32_t> number(mesh.vertices.size(), none);
@@ -92,6 +92,18 @@ Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts
     made.middle = 0.5f * (low + high);
     for (const CoatVertexBlock& v : made.vertices)
         made.radius = std::max(made.radius, glm::distance(glm::vec3(v.position), made.middle));
+    made.drawn = static_cast<std::uint32_t>(made.vertices.size());
+    if (!keeps_outside(settings))
+        return made;
+    // The body's other parts are skin too, which this coat's strands must not enter.
+    const PartMesh own = made;
+    made.indices.clear();
+    take(0, static_cast<std::uint32_t>(mesh.indices.size()));
+    made.pieces = skin_pieces(made.vertices, made.indices, settings.layers.length);
+    made.narrow = narrow_vertices(made.vertices, made.drawn, made.pieces, settings.layers.length);
+    if (made.narrow.empty())
+        return own;
+    made.indices = own.indices;
     return made;
 }
 
@@ -99,7 +111,7 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
            const CoatSettings& settings, const CoatPictures& pictures, const windrow::Pose& body,
            std::optional<windrow::Cascade> cascade, glm::dvec3 anchor)
     : objects_(device), settings_(settings), anchor_(anchor), cascade_(std::move(cascade)), body_(body),
-      vertex_count_(static_cast<std::uint32_t>(part.vertices.size())),
+      vertex_count_(part.drawn), skin_count_(static_cast<std::uint32_t>(part.vertices.size())),
       index_count_(static_cast<std::uint32_t>(part.indices.size())), middle_(part.middle), radius_(part.radius) {
     box_.low = mesh.low;
     box_.high = mesh.high;
@@ -110,12 +122,12 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
     bones_ahead_ = bones_;
     block_.ahead = {1 + (cascade_ ? cascade_->config().stages : 0), static_cast<int>(part.bones), 0, 0};
     posed_radius_ = radius_;
-    block_.counts = {static_cast<int>(vertex_count_), 0, static_cast<int>(vertex_count_),
+    block_.counts = {static_cast<int>(skin_count_), 0, static_cast<int>(skin_count_),
                      cascade_ ? cascade_->config().stages : 0};
     const PackedPictures packed_pictures = packed(pictures);
     block_.pictures = packed_pictures.places;
     make_pipelines(targets);
-    fill_buffers(packed_pictures, part);
+    fill_buffers(targets, packed_pictures, part);
 }
 
 Result<void> Coat::judge_bones(std::span<const glm::mat4> bones) const {
@@ -280,7 +292,12 @@ Result<void> Coat::prepare(const render::PassContext& context) {
     const std::int32_t first = first_ ? 1 : 0;
     first_ = false;
     vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
-    vkCmdDispatch(context.commands, (vertex_count_ + k_group - 1) / k_group, 1, 1);
+    vkCmdDispatch(context.commands, (skin_count_ + k_group - 1) / k_group, 1, 1);
+    if (room_) {
+        vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1,
+                             &barrier, 0, nullptr, 0, nullptr);
+        room_->record(context.commands, sets, first == 1);
+    }
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,
                          &barrier, 0, nullptr, 0, nullptr);

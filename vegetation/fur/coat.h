@@ -15,6 +15,7 @@
 #include "../vulkan/frames.h"
 #include "coat_block.h"
 #include "coat_pictures.h"
+#include "coat_room.h"
 
 #include <array>
 #include <glm/mat4x4.hpp>
@@ -77,17 +78,20 @@ class Coat final : public render::Drawable {
     struct PartMesh {
         std::vector<CoatVertexBlock> vertices;
         std::vector<std::uint32_t> indices;
+        std::uint32_t drawn = 0; // vertices; the others are of the body's other parts
+        std::vector<CoatPieceBlock> pieces;
+        std::vector<std::uint32_t> narrow;
         std::uint32_t bones = 0; // that vertices name
         glm::vec3 middle{0.0f};
         float radius = 0.0f;
     };
-    static PartMesh part_mesh(const Mesh& mesh, std::span<const MeshPart> parts);
+    static PartMesh part_mesh(const Mesh& mesh, std::span<const MeshPart> parts, const CoatSettings& settings);
 
     Coat(engine::Device& device, const render::DrawTargets& targets, const Mesh& mesh, PartMesh part,
          const CoatSettings& settings, const CoatPictures& pictures, const windrow::Pose& body,
          std::optional<windrow::Cascade> cascade, glm::dvec3 anchor);
     void make_pipelines(const render::DrawTargets& targets);
-    void fill_buffers(const PackedPictures& pictures, const PartMesh& part);
+    void fill_buffers(const render::DrawTargets& targets, const PackedPictures& pictures, const PartMesh& part);
     void find_seen(const render::ViewBlock& frame);
     void place_pattern();
     [[nodiscard]] Result<void> judge_bones(std::span<const glm::mat4> bones) const;
@@ -106,7 +110,7 @@ class Coat final : public render::Drawable {
     Mesh box_{}; // of the mesh: its box alone
     glm::dvec2 drift_{0.0}, drift_before_{0.0};
     double evolved_ = 0.0;
-    std::uint32_t vertex_count_ = 0, index_count_ = 0;
+    std::uint32_t vertex_count_ = 0, skin_count_ = 0, index_count_ = 0; // drawn; of the body, as far as the coat needs it
     glm::vec3 middle_{0.0f};
     float radius_ = 0.0f, posed_radius_ = 0.0f, top_ = 1.0f;
     bool first_ = true;
@@ -118,6 +122,7 @@ class Coat final : public render::Drawable {
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
     engine::FrameBuffers blocks_{}, poses_{}, bone_buffers_{};
     engine::Buffer skins_{}, indices_{};
+    std::optional<CoatRoom> room_{};
 };
 
 } // namespace windrow::vegetation::fur

@@ -72,13 +72,13 @@ void Coat::make_pipelines(const render::DrawTargets& targets) {
                                                .bias = true});
 }
 
-void Coat::fill_buffers(const PackedPictures& pictures, const PartMesh& part) {
+void Coat::fill_buffers(const render::DrawTargets& targets, const PackedPictures& pictures, const PartMesh& part) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     const engine::Buffer vertices = engine::filled(objects_, part.vertices, storage);
     const engine::Buffer texels = engine::filled(objects_, pictures.texels, storage);
     indices_ = engine::filled(objects_, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     skins_ =
-        objects_.buffer(engine::Use::work, 2 * sizeof(CoatSkinBlock) * vertex_count_, storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+        objects_.buffer(engine::Use::work, 2 * sizeof(CoatSkinBlock) * skin_count_, storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     const std::size_t poses = 2 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
     engine::make_sets(objects_, own_, k_bindings, sets_);
     blocks_ = objects_.frame_buffers(sizeof(CoatBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
@@ -90,6 +90,10 @@ void Coat::fill_buffers(const PackedPictures& pictures, const PartMesh& part) {
         std::uint32_t binding = 1;
         for (const engine::Buffer& each : {vertices, skins_, poses_[slot], bone_buffers_[slot], texels})
             engine::point(device, sets_[slot], binding++, k_storage, each.buffer);
+    }
+    if (!part.narrow.empty()) {
+        const std::array before{targets.frame, targets.wind, own_};
+        room_.emplace(objects_, before, part.pieces, part.narrow);
     }
 }
 

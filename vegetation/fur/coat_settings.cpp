@@ -13,6 +13,11 @@ windrow::Result<void> validate(const CoatSettings& settings) {
     return windrow::detail::validate_settings(settings, "coat");
 }
 
+bool keeps_outside(const CoatSettings& settings) {
+    return settings.avoids_body && !settings.translated && !settings.mirrored && !settings.bare && !settings.cloud &&
+           settings.wind_at != WindAt::pixel;
+}
+
 void check_rules(Reasons& reasons, const FieldPath& path, const CoatMaps& maps) {
     if (maps.noise_a.empty() != maps.noise_b.empty())
         reasons.add(FieldPath{&path, maps.noise_a.empty() ? "noise_a" : "noise_b"},

@@ -208,6 +208,7 @@ struct CoatSettings {
     WindAt wind_at = WindAt::strand;
     float wind_fraction = 1.0f;
     float foot_push = 1.2f;
+    bool avoids_body = true;
     bool mirrored = false;
     bool drifts = false;
     bool bare = false;
@@ -235,6 +236,9 @@ struct CoatSettings {
             Setting("wind_fraction", &CoatSettings::wind_fraction, {0.0, 100.0}, "Fraction of the wind that acts on it."),
             Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
                     "Lean of the tip away from a foot, right beside its middle. Not where translated."),
+            Setting("avoids_body", &CoatSettings::avoids_body,
+                    "Strands lean less, or are shorter, where they would enter the body's own skin. Two more passes a frame, none "
+                    "on a rigid mesh without hollows. Not where translated, mirrored, or with wind_at pixel."),
             Setting("mirrored", &CoatSettings::mirrored,
                     "Half of the layers above and half below the skin, which is not drawn: clouds."),
             Setting("drifts", &CoatSettings::drifts, "The pattern moves along with the air: clouds."),
@@ -257,6 +261,9 @@ struct CoatSettings {
         };
     }
 };
+
+/// Whether strands are kept outside of the body: as avoids_body has it, where strands are such as can be.
+[[nodiscard]] bool keeps_outside(const CoatSettings& settings);
 
 /// Every reason why it cannot be used, a line each. Maps are looked at when they are read.
 [[nodiscard]] windrow::Result<void> validate(const CoatSettings& settings);

@@ -66,8 +66,8 @@ struct CoatVertex {
 struct CoatSkin {
     vec4 position; // xyz; w share of the strands' length there
     vec4 normal;   // xyz unit; w 0
-    vec4 load;     // [rad] xyz; w 0
-    vec4 own;      // [rad] xyz the comb's bend; w 0
+    vec4 load;     // [rad] xyz; w fraction of the length that the body's own skin leaves no room for
+    vec4 own;      // [rad] xyz the comb's bend; w fraction of the lean that it leaves no room for
     vec4 lag;      // [m] xyz across the normal; w 0
     vec4 lag_more;
     vec4 velocity; // [m/s] xyz; w 0

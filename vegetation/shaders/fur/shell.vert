@@ -25,7 +25,8 @@ vec3 wind_of(CoatSkin skin, float height) {
     vec3 wind = coat.levels.z * windrow_wind_on(at, skin.velocity.xyz);
     return coat.form.x == 1
                ? wind
-               : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on(skin.position.xyz, n);
+               : (1.0 - skin.own.w) *
+                     (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on(skin.position.xyz, n));
 }
 vec3 wind_of_previous(CoatSkin skin, float height) {
     if (coat.form.y != k_wind_at_shell)
@@ -35,7 +36,8 @@ vec3 wind_of_previous(CoatSkin skin, float height) {
     vec3 wind = coat.levels.z * windrow_wind_on_previous(at, skin.velocity.xyz);
     return coat.form.x == 1
                ? wind
-               : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on_before(skin.position.xyz, n);
+               : (1.0 - skin.own.w) *
+                     (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on_before(skin.position.xyz, n));
 }
 
 void main() {

@@ -45,8 +45,10 @@ ShellPlace shell_place(CoatSkin skin, float height, vec3 wind_load) {
         shift = dot(shift, place.normal) * place.normal + windrow_across(windrow_coat_shift(other, h), place.normal);
         tangent = dot(tangent, place.normal) * place.normal + windrow_across(windrow_coat_tangent(other, h), place.normal);
     }
-    place.position = skin.position.xyz + (own.stem.reach * h + coat.shells.form.x * coat.shells.form.z) * place.normal + shift;
-    place.along = own.stem.reach * (place.normal + tangent);
+    float kept = 1.0 - skin.load.w; // as a whole, so that layers keep their order
+    place.position =
+        skin.position.xyz + kept * ((own.stem.reach * h + coat.shells.form.x * coat.shells.form.z) * place.normal + shift);
+    place.along = kept * (own.stem.reach * (place.normal + tangent));
     return place;
 }
 

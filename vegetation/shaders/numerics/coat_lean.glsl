@@ -32,11 +32,16 @@ struct WindrowCoatStrand {
     vec3 lag_more;
 };
 
+// [rad] What its weight bends a strand.
+WINDROW_FN vec3 windrow_coat_sag(WindrowShells shells, vec3 n, float map) {
+    vec3 down = vec3(shells.sag);
+    return (down - dot(down, n) * n) * (shells.sag.w * windrow_shell_softness(map));
+}
+
 // `own` [rad] is the comb's bend beside the sag; `lag` and `lag_more` are a and b [m], across n.
 WINDROW_FN WindrowCoatStrand windrow_coat_strand(WindrowShells shells, vec3 n, float map, vec3 load, vec3 own, vec3 lag,
                                                  vec3 lag_more) {
-    vec3 down = vec3(shells.sag);
-    vec3 sag = (down - dot(down, n) * n) * (shells.sag.w * windrow_shell_softness(map));
+    vec3 sag = windrow_coat_sag(shells, n, map);
     vec3 across = load - dot(load, n) * n;
     WindrowCoatStrand strand;
     strand.stem = windrow_stem(n, shells.form.x, across, sag + own, 0.0f, min(shells.drag.load.w, 1.57079633f));

@@ -56,7 +56,8 @@ glm::dvec3 layer_place(const Coat& coat, const CoatSkinBlock& skin, float h) {
         windrow_coat_strand(shells, glm::vec3(skin.normal), skin.position.w, glm::vec3(skin.load), glm::vec3(skin.own),
                             glm::vec3(skin.lag), glm::vec3(skin.lag_more));
     return glm::dvec3(glm::vec3(skin.position)) +
-           glm::dvec3((strand.stem.reach * h + shells.form.x * shells.form.z) * glm::vec3(skin.normal) +
+           (1.0 - static_cast<double>(skin.load.w)) *
+               glm::dvec3((strand.stem.reach * h + shells.form.x * shells.form.z) * glm::vec3(skin.normal) +
                       windrow_coat_shift(strand, h));
 }
 

@@ -1,0 +1,82 @@
+#include "vegetation/fur/coat_room.h"
+
+#include "shader_words/coat_outside.h"
+#include "shader_words/coat_pieces.h"
+#include "vegetation/vulkan/descriptors.h"
+#include "vegetation/vulkan/pipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <vulkan/vulkan.h>
+
+namespace windrow::vegetation::fur {
+namespace {
+
+constexpr std::uint32_t k_group = 64;
+constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr engine::Binding k_of_compute{k_storage, VK_SHADER_STAGE_COMPUTE_BIT};
+constexpr std::array k_bindings{k_of_compute, k_of_compute, k_of_compute, k_of_compute};
+
+struct Push {
+    std::int32_t first;
+    std::uint32_t pieces, last_cell, narrow;
+};
+static_assert(sizeof(Push) <= engine::k_push_bytes);
+
+void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to, VkAccessFlags takes) {
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = wrote;
+    barrier.dstAccessMask = takes;
+    vkCmdPipelineBarrier(commands, from, to, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+} // namespace
+
+CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout> before,
+                   std::span<const CoatPieceBlock> pieces, std::span<const std::uint32_t> narrow)
+    : pieces_(static_cast<std::uint32_t>(pieces.size())), last_cell_(std::bit_ceil(std::max(2 * pieces_, 64u)) - 1),
+      narrow_(static_cast<std::uint32_t>(narrow.size())) {
+    const VkDescriptorSetLayout own = engine::make_layout(objects, k_bindings);
+    std::vector<VkDescriptorSetLayout> sets(before.begin(), before.end());
+    sets.push_back(own);
+    layout_ = engine::make_pipeline_layout(objects, sets);
+    place_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_pieces);
+    limit_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_outside);
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const engine::Buffer roots = engine::filled(objects, pieces, storage);
+    const engine::Buffer placed = objects.buffer(engine::Use::work, 2 * sizeof(glm::vec4) * pieces.size(), storage);
+    const engine::Buffer cells = objects.buffer(engine::Use::work, sizeof(std::uint32_t) * (std::size_t{last_cell_} + 1),
+                                                storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    const engine::Buffer named = engine::filled(objects, narrow, storage);
+    cells_ = cells.buffer;
+    engine::make_sets(objects, own, k_bindings, std::span(&set_, 1));
+    std::uint32_t binding = 0;
+    for (const engine::Buffer& each : {roots, placed, cells, named})
+        engine::point(objects.device(), set_, binding++, k_storage, each.buffer);
+}
+
+void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet> before, bool first) const {
+    constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+    constexpr VkAccessFlags reads_and_writes = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+    // The last frame's lists have been read; nothing of them is kept.
+    wait(commands, compute, 0, VK_PIPELINE_STAGE_TRANSFER_BIT, 0);
+    vkCmdFillBuffer(commands, cells_, 0, VK_WHOLE_SIZE, 0);
+    wait(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, compute, reads_and_writes);
+    std::vector<VkDescriptorSet> sets(before.begin(), before.end());
+    sets.push_back(set_);
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
+                            sets.data(), 0, nullptr);
+    const Push push{first ? 1 : 0, pieces_, last_cell_, narrow_};
+    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
+    const auto run = [&](VkPipeline pipeline, std::uint32_t count) {
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+        vkCmdDispatch(commands, (count + k_group - 1) / k_group, 1, 1);
+        wait(commands, compute, VK_ACCESS_SHADER_WRITE_BIT, compute, reads_and_writes);
+    };
+    run(place_, pieces_);
+    run(limit_, narrow_);
+}
+
+} // namespace windrow::vegetation::fur
