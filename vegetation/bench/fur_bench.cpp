@@ -1,7 +1,7 @@
 // What shells in the wind cost a frame: the scenes of the shell fur thesis, layers, orders, shadows, lamps, clouds, wind.
 //
 //     windrow_fur_bench [--quick] [--frames N] [--pictures FOLDER]
-//                          [--only scenes|layers|order|shadow|lamps|clouds|wind_at|plane|wind]
+//                          [--only scenes|layers|order|shadow|lamps|body|clouds|wind_at|plane|wind]
 //
 // On a GPU 1920 x 1080 and 1000 frames a row after 100 to warm up; on a software device, or with --quick, 128 x 128 and 3 frames
 // after 1. Rows of one table take turns, frame by frame: what else the machine does slows them alike, and ratios hold. Times are
@@ -25,11 +25,11 @@ using windrow::vegetation::bench::FurRun;
 constexpr struct {
     std::string_view name;
     void (*measure)(const FurRun&);
-} k_tables[] = {{"scenes", windrow::vegetation::bench::scenes_table},   {"layers", windrow::vegetation::bench::layers_table},
-                {"order", windrow::vegetation::bench::order_table},     {"shadow", windrow::vegetation::bench::shadow_table},
-                {"lamps", windrow::vegetation::bench::lamps_table},     {"clouds", windrow::vegetation::bench::clouds_table},
-                {"wind_at", windrow::vegetation::bench::wind_at_table}, {"plane", windrow::vegetation::bench::plane_table},
-                {"wind", windrow::vegetation::bench::wind_table}};
+} k_tables[] = {{"scenes", windrow::vegetation::bench::scenes_table}, {"layers", windrow::vegetation::bench::layers_table},
+                {"order", windrow::vegetation::bench::order_table},   {"shadow", windrow::vegetation::bench::shadow_table},
+                {"lamps", windrow::vegetation::bench::lamps_table},   {"body", windrow::vegetation::bench::body_table},
+                {"clouds", windrow::vegetation::bench::clouds_table}, {"wind_at", windrow::vegetation::bench::wind_at_table},
+                {"plane", windrow::vegetation::bench::plane_table},   {"wind", windrow::vegetation::bench::wind_table}};
 
 [[noreturn]] void reject(const std::string& why) {
     std::fprintf(stderr,

@@ -1,4 +1,4 @@
-// What coats cost: the thesis' scenes, layers, orders, shadows, lamps.
+// What coats cost: the thesis' scenes, layers, orders, shadows, lamps, strands outside of the body.
 #include "vegetation/bench/fur_scenes.h"
 #include "vegetation/bench/fur_tables.h"
 
@@ -130,6 +130,24 @@ void lamps_table(const FurRun& run) {
         }
     }
     print_times(measured(run, "Lamps", "fur of 32 layers on the sphere, no shadow", std::move(cases)));
+}
+
+void body_table(const FurRun& run) {
+    std::vector<FurCase> cases;
+    for (const bool avoids : {false, true}) {
+        cases.push_back(beast_scene(avoids ? "the same, outside of its body" : "beast that walks", 32));
+        cases.back().coats.front().settings.avoids_body = avoids;
+    }
+    for (const bool avoids : {false, true}) {
+        cases.push_back(fur_scene(avoids ? "the same, which has no hollow" : "sphere", 32));
+        cases.back().coats.front().settings.avoids_body = avoids;
+    }
+    const Measured of = measured(run, "Strands outside of the body", "fur of 32 layers", std::move(cases));
+    print_times(of);
+    std::printf("\n| | least of the prepare stage | over the row before |\n|---|---|---|\n");
+    for (std::size_t n = 1; n < of.stages.size(); n += 2)
+        std::printf("| %s | %.2f | %.2f |\n", of.stages[n]->wanted().name.c_str(), of.stages[n]->least("prepare"),
+                    of.stages[n]->least("prepare") / of.stages[n - 1]->least("prepare"));
 }
 
 } // namespace windrow::vegetation::bench

@@ -19,6 +19,7 @@ void scenes_table(const FurRun& run);
 void layers_table(const FurRun& run);
 void order_table(const FurRun& run);
 void shadow_table(const FurRun& run);
+void body_table(const FurRun& run);
 void lamps_table(const FurRun& run);
 void clouds_table(const FurRun& run);
 void wind_at_table(const FurRun& run);

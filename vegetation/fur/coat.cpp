@@ -59,8 +59,8 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
         cascade.emplace(*std::move(made));
     }
     return engine::guarded([&] {
-        return std::unique_ptr<Coat>(
-            new Coat(device, targets, mesh, part_mesh(mesh, parts, settings), settings, pictures, body, std::move(cascade), anchor));
+        return std::unique_ptr<Coat>(new Coat(device, targets, mesh, part_mesh(mesh, parts, settings), settings, pictures, body,
+                                              std::move(cascade), anchor));
     });
 }
 
@@ -99,8 +99,8 @@ Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts
     const PartMesh own = made;
     made.indices.clear();
     take(0, static_cast<std::uint32_t>(mesh.indices.size()));
-    made.pieces = skin_pieces(made.vertices, made.indices, settings.layers.length);
-    made.narrow = narrow_vertices(made.vertices, made.drawn, made.pieces, settings.layers.length);
+    made.patches = skin_patches(made.vertices, made.indices, settings.layers.length);
+    made.narrow = narrow_vertices(made.vertices, made.drawn, made.patches, settings.layers.length);
     if (made.narrow.empty())
         return own;
     made.indices = own.indices;
@@ -122,8 +122,7 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
     bones_ahead_ = bones_;
     block_.ahead = {1 + (cascade_ ? cascade_->config().stages : 0), static_cast<int>(part.bones), 0, 0};
     posed_radius_ = radius_;
-    block_.counts = {static_cast<int>(skin_count_), 0, static_cast<int>(skin_count_),
-                     cascade_ ? cascade_->config().stages : 0};
+    block_.counts = {static_cast<int>(skin_count_), 0, static_cast<int>(skin_count_), cascade_ ? cascade_->config().stages : 0};
     const PackedPictures packed_pictures = packed(pictures);
     block_.pictures = packed_pictures.places;
     make_pipelines(targets);

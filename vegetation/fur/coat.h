@@ -79,7 +79,7 @@ class Coat final : public render::Drawable {
         std::vector<CoatVertexBlock> vertices;
         std::vector<std::uint32_t> indices;
         std::uint32_t drawn = 0; // vertices; the others are of the body's other parts
-        std::vector<CoatPieceBlock> pieces;
+        std::vector<CoatPatchBlock> patches;
         std::vector<std::uint32_t> narrow;
         std::uint32_t bones = 0; // that vertices name
         glm::vec3 middle{0.0f};

@@ -93,7 +93,7 @@ void Coat::fill_buffers(const render::DrawTargets& targets, const PackedPictures
     }
     if (!part.narrow.empty()) {
         const std::array before{targets.frame, targets.wind, own_};
-        room_.emplace(objects_, before, part.pieces, part.narrow);
+        room_.emplace(objects_, before, part.patches, part.narrow);
     }
 }
 

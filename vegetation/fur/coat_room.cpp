@@ -1,7 +1,7 @@
 #include "vegetation/fur/coat_room.h"
 
 #include "shader_words/coat_outside.h"
-#include "shader_words/coat_pieces.h"
+#include "shader_words/coat_patches.h"
 #include "vegetation/vulkan/descriptors.h"
 #include "vegetation/vulkan/pipeline.h"
 
@@ -20,11 +20,12 @@ constexpr std::array k_bindings{k_of_compute, k_of_compute, k_of_compute, k_of_c
 
 struct Push {
     std::int32_t first;
-    std::uint32_t pieces, last_cell, narrow;
+    std::uint32_t patches, last_cell, narrow;
 };
 static_assert(sizeof(Push) <= engine::k_push_bytes);
 
-void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to, VkAccessFlags takes) {
+void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to,
+          VkAccessFlags takes) {
     VkMemoryBarrier barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     barrier.srcAccessMask = wrote;
@@ -35,18 +36,18 @@ void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wro
 } // namespace
 
 CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout> before,
-                   std::span<const CoatPieceBlock> pieces, std::span<const std::uint32_t> narrow)
-    : pieces_(static_cast<std::uint32_t>(pieces.size())), last_cell_(std::bit_ceil(std::max(2 * pieces_, 64u)) - 1),
+                   std::span<const CoatPatchBlock> patches, std::span<const std::uint32_t> narrow)
+    : patches_(static_cast<std::uint32_t>(patches.size())), last_cell_(std::bit_ceil(std::max(2 * patches_, 64u)) - 1),
       narrow_(static_cast<std::uint32_t>(narrow.size())) {
     const VkDescriptorSetLayout own = engine::make_layout(objects, k_bindings);
     std::vector<VkDescriptorSetLayout> sets(before.begin(), before.end());
     sets.push_back(own);
     layout_ = engine::make_pipeline_layout(objects, sets);
-    place_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_pieces);
+    place_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_patches);
     limit_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_outside);
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const engine::Buffer roots = engine::filled(objects, pieces, storage);
-    const engine::Buffer placed = objects.buffer(engine::Use::work, 2 * sizeof(glm::vec4) * pieces.size(), storage);
+    const engine::Buffer roots = engine::filled(objects, patches, storage);
+    const engine::Buffer placed = objects.buffer(engine::Use::work, 2 * sizeof(glm::vec4) * patches.size(), storage);
     const engine::Buffer cells = objects.buffer(engine::Use::work, sizeof(std::uint32_t) * (std::size_t{last_cell_} + 1),
                                                 storage | VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     const engine::Buffer named = engine::filled(objects, narrow, storage);
@@ -68,14 +69,14 @@ void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet>
     sets.push_back(set_);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
                             sets.data(), 0, nullptr);
-    const Push push{first ? 1 : 0, pieces_, last_cell_, narrow_};
+    const Push push{first ? 1 : 0, patches_, last_cell_, narrow_};
     vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
     const auto run = [&](VkPipeline pipeline, std::uint32_t count) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
         vkCmdDispatch(commands, (count + k_group - 1) / k_group, 1, 1);
         wait(commands, compute, VK_ACCESS_SHADER_WRITE_BIT, compute, reads_and_writes);
     };
-    run(place_, pieces_);
+    run(place_, patches_);
     run(limit_, narrow_);
 }
 

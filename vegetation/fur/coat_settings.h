@@ -236,9 +236,10 @@ struct CoatSettings {
             Setting("wind_fraction", &CoatSettings::wind_fraction, {0.0, 100.0}, "Fraction of the wind that acts on it."),
             Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
                     "Lean of the tip away from a foot, right beside its middle. Not where translated."),
-            Setting("avoids_body", &CoatSettings::avoids_body,
-                    "Strands lean less, or are shorter, where they would enter the body's own skin. Two more passes a frame, none "
-                    "on a rigid mesh without hollows. Not where translated, mirrored, or with wind_at pixel."),
+            Setting(
+                "avoids_body", &CoatSettings::avoids_body,
+                "Strands lean less, or are shorter, where they would enter the body's own skin. Two more passes a frame, none "
+                "on a rigid mesh without hollows. Not where translated, mirrored, or with wind_at pixel."),
             Setting("mirrored", &CoatSettings::mirrored,
                     "Half of the layers above and half below the skin, which is not drawn: clouds."),
             Setting("drifts", &CoatSettings::drifts, "The pattern moves along with the air: clouds."),

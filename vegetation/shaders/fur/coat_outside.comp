@@ -4,12 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #define COAT_SKIN_WRITTEN
 #include "coat.glsl"
-#include "coat_pieces.glsl"
+#include "coat_patches.glsl"
 
 layout(local_size_x = 64) in;
 
-const int k_heights = 4; // looked at, evenly up to the tip
-const int k_looks = 3;   // at the lean, each after what the one before has taken
+const int k_heights = 4;     // looked at, evenly up to the tip
+const int k_looks = 3;       // at the lean, each after what the one before has taken
 const float k_margin = 0.06; // of the length of the strand up to there, which a triangle between vertices may take
 
 void main() {
@@ -38,16 +38,16 @@ void main() {
         for (int near = 0; near < 27; ++near) {
             ivec3 there = cell + ivec3(near % 3, near / 3 % 3, near / 9) - 1;
             for (uint number = cells[list_of(there)]; number != 0u;) {
-                CoatPiece piece = pieces[number - 1u];
-                number = floatBitsToUint(piece.normal.w);
-                WindrowSkinPiece skin_piece = WindrowSkinPiece(piece.place.xyz, piece.place.w, piece.normal.xyz);
-                vec3 off = piece.place.xyz - root;
+                CoatPatch disc = patches[number - 1u];
+                number = floatBitsToUint(disc.normal.w);
+                WindrowSkinPatch skin_patch = WindrowSkinPatch(disc.place.xyz, disc.place.w, disc.normal.xyz);
+                vec3 off = disc.place.xyz - root;
                 if (dot(off, off) > 1.96 * length_of * length_of)
                     continue;
                 for (int k = 0; k < k_heights; ++k) {
-                    float margin = k_margin * length_of * top * float(k + 1) / float(k_heights);
-                    kept = min(kept, at_length ? windrow_room_reach(skin_piece, root, place[k], margin, length_of)
-                                               : windrow_room_lean(skin_piece, root, upright[k], place[k], margin, length_of));
+                    float margin = at_length ? 0.0 : k_margin * length_of * top * float(k + 1) / float(k_heights);
+                    vec3 free = at_length ? root : upright[k];
+                    kept = min(kept, windrow_room_kept(skin_patch, root, free, place[k], margin, length_of));
                 }
             }
         }

@@ -23,10 +23,9 @@ vec3 wind_of(CoatSkin skin, float height) {
     vec3 n = height < 0.0 ? -skin.normal.xyz : skin.normal.xyz;
     vec3 at = skin.position.xyz + coat.shells.form.x * abs(height) * n;
     vec3 wind = coat.levels.z * windrow_wind_on(at, skin.velocity.xyz);
-    return coat.form.x == 1
-               ? wind
-               : (1.0 - skin.own.w) *
-                     (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on(skin.position.xyz, n));
+    return coat.form.x == 1 ? wind
+                            : (1.0 - skin.own.w) * (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) +
+                                                    feet_on(skin.position.xyz, n));
 }
 vec3 wind_of_previous(CoatSkin skin, float height) {
     if (coat.form.y != k_wind_at_shell)
@@ -34,10 +33,9 @@ vec3 wind_of_previous(CoatSkin skin, float height) {
     vec3 n = height < 0.0 ? -skin.normal.xyz : skin.normal.xyz;
     vec3 at = skin.position.xyz + coat.shells.form.x * abs(height) * n;
     vec3 wind = coat.levels.z * windrow_wind_on_previous(at, skin.velocity.xyz);
-    return coat.form.x == 1
-               ? wind
-               : (1.0 - skin.own.w) *
-                     (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on_before(skin.position.xyz, n));
+    return coat.form.x == 1 ? wind
+                            : (1.0 - skin.own.w) * (windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) +
+                                                    feet_on_before(skin.position.xyz, n));
 }
 
 void main() {

@@ -1,14 +1,14 @@
 // How far a strand may lean, and how long it may be, before it meets the skin of its own body.
 //
-//   d(x) = (x - p) . q            [m] height of x over a piece of skin at p whose unit normal is q
-//   d(x_1) < m                    the strand at full lean, x_1, is nearer than m = k_margin h L to that piece, or behind it
-//   t_i = (d(x_0) - m) / (d(x_0) - d(x_1))     fraction of the lean at which it is m away; x_0 is the strand that stands
-//   s_i = d(r) / (d(r) - d(x) + m)             fraction of the length, where standing up is not enough; r is the root
+//   d(x) = (x - p) . q                     [m] height of x over a patch of skin at p whose unit normal is q
+//   t = (d_0 + e) / (d_0 + e - d_1)        fraction of the lean that is kept where d_1 < 0: d_1 of the strand as it leans, d_0 of the
+//                                          strand that stands, 0 or more, both less the margin; e = 0.02 L
+//   s = (d_r + e) / (d_r + e - d_1)        fraction of the length, where standing up is not enough; d_r is the root's, without margin
 //
-// A piece counts where it faces the root, lies below x and is not far within: weights fall smoothly to 0 with each, so that t and s
-// are continuous in the pose and in the wind. The least of all pieces and heights is taken, which no order of pieces changes. Lean
-// and length change as a whole: strands keep their shape and layers their order. d along an arc that stands up is concave where the
-// piece is level, so that t_i is on the safe side there; a second and a third look correct it elsewhere.
+// A patch counts where it faces the root, lies below x and is not far within: weights fall smoothly to 0 with each, and t = s = 1 at
+// d_1 = 0, so that both are continuous in the pose and in the wind: no tuft jumps. e leaves x that deep at most where the root itself
+// lies on the disc. The least of all patches and heights is taken, which no order of patches changes. Lean and length change as a
+// whole: strands keep their shape and layers their order. A second and a third look take what the first has left.
 #ifndef WINDROW_COAT_ROOM_GLSL
 #define WINDROW_COAT_ROOM_GLSL
 
@@ -18,8 +18,8 @@
 
 #include "coat_lean.glsl"
 
-// A piece of the posed skin.
-struct WindrowSkinPiece {
+// A patch of the posed skin.
+struct WindrowSkinPatch {
     vec3 place;
     float radius; // [m]
     vec3 normal;  // unit, outward
@@ -31,32 +31,25 @@ WINDROW_FN float windrow_room_fade(float near, float far, float at) {
     return share * share * (3.0f - 2.0f * share);
 }
 
-// 1 where the piece is one that a strand of length L from `root` enters at x, 0 where it is another.
-WINDROW_FN float windrow_room_weight(WindrowSkinPiece piece, vec3 root, vec3 x, float reach) {
-    vec3 off = x - piece.place;
-    float height = dot(off, piece.normal);
+// 1 where the patch is one that a strand of length L from `root` enters at x, 0 where it is another.
+WINDROW_FN float windrow_room_weight(WindrowSkinPatch disc, vec3 root, vec3 x, float reach) {
+    vec3 off = x - disc.place, from = root - disc.place;
+    float height = dot(off, disc.normal);
     float aside = sqrt(max(dot(off, off) - height * height, 0.0f));
-    float behind = -dot(root - piece.place, piece.normal);
-    return windrow_room_fade(piece.radius, 1.5f * piece.radius, aside) * windrow_room_fade(0.05f * reach, 0.15f * reach, behind) *
-           windrow_room_fade(0.5f * reach, 0.8f * reach, -height);
+    return windrow_room_fade(disc.radius, 1.5f * disc.radius, aside) *
+           windrow_room_fade(0.05f * reach, 0.15f * reach, -dot(from, disc.normal)) *
+           windrow_room_fade(0.5f * reach, 0.8f * reach, -height) *
+           windrow_room_fade(1.2f * reach, 1.4f * reach, sqrt(dot(from, from)));
 }
 
-// Fraction of the lean that the piece leaves at x, of a strand that stands at `upright`; `margin` [m].
-WINDROW_FN float windrow_room_lean(WindrowSkinPiece piece, vec3 root, vec3 upright, vec3 x, float margin, float reach) {
-    float leant = dot(x - piece.place, piece.normal) - margin;
-    if (leant >= 0.0f)
-        return 1.0f;
-    float stands = max(dot(upright - piece.place, piece.normal) - margin, 0.0f);
-    return 1.0f - windrow_room_weight(piece, root, x, reach) * (leant / (leant - stands));
-}
-
-// Fraction of the length that the piece leaves at x.
-WINDROW_FN float windrow_room_reach(WindrowSkinPiece piece, vec3 root, vec3 x, float margin, float reach) {
-    float over = dot(x - piece.place, piece.normal) - margin;
+// Fraction that the patch leaves of the way from `free`, where there is none of what is taken back, to x; `margin` [m] of both, L
+// the strand's `reach` [m].
+WINDROW_FN float windrow_room_kept(WindrowSkinPatch disc, vec3 root, vec3 free, vec3 x, float margin, float reach) {
+    float over = dot(x - disc.place, disc.normal) - margin;
     if (over >= 0.0f)
         return 1.0f;
-    float rooted = max(dot(root - piece.place, piece.normal), 0.0f);
-    return 1.0f - windrow_room_weight(piece, root, x, reach) * (over / (over - rooted));
+    float clear = max(dot(free - disc.place, disc.normal) - margin, 0.0f) + 0.02f * reach;
+    return 1.0f + windrow_room_weight(disc, root, x, reach) * (over / (clear - over));
 }
 
 // [rad] `own` of a strand with a fraction `lean` of all that bends it at rest: less the sag that it must not have.

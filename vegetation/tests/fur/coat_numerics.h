@@ -10,6 +10,7 @@
 namespace windrow::vegetation::fur::numerics {
 using namespace windrow::numerics;
 #include "vegetation/shaders/numerics/coat_lean.glsl"
+#include "vegetation/shaders/numerics/coat_room.glsl"
 #include "vegetation/shaders/numerics/lamp.glsl"
 } // namespace windrow::vegetation::fur::numerics
 #undef WINDROW_FN

@@ -105,7 +105,7 @@ inline constexpr const char* k_specimen = R"({
                   "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
                  {"name": "tail", "parent": "hip", "head": [0, 1, -0.5], "tail": [0, 1, -1], "radius": 0.05, "sway": [0, 0, 0], "sway_hz": 1, "sway_phase": 0, "swings": []}]},
              "coats": [
-                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_fraction": 0.8, "foot_push": 0.5, "mirrored": true, "drifts": true, "bare": true,
+                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_fraction": 0.8, "foot_push": 0.5, "avoids_body": false, "mirrored": true, "drifts": true, "bare": true,
                   "layers": {"shells": 24, "length": 0.06, "reaches_tip": false, "spacing": 1.5, "bias": 0.01, "push": 0.03, "push_exponent": 1.5, "droop": 0.01,
                              "droop_shape": 2, "sag": 0.4, "down": [0, -1, 0.5],
                              "strand": {"width": 0.0003, "rigidity": 2e-8, "drag_coefficient": 1.25, "air_density": 1.1, "vogel_exponent": -0.5, "vogel_speed": 6, "max_bend": 1.4}},

@@ -1,16 +1,16 @@
-// Puts the pieces of a body's skin where the frame's pose has them, each into the list of its cell.
+// Puts the patches of a body's skin where the frame's pose has them, each into the list of its cell.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "coat.glsl"
-#include "coat_pieces.glsl"
+#include "coat_patches.glsl"
 
 layout(local_size_x = 64) in;
 
 void main() {
     uint n = gl_GlobalInvocationID.x;
-    if (n >= piece_count)
+    if (n >= patch_count)
         return;
-    CoatPieceRoot root = piece_roots[n];
+    CoatPatchRoot root = patch_roots[n];
     uint first = uint(coat.counts.y);
     vec3 a = skins[first + root.corners.x].position.xyz;
     vec3 along = skins[first + root.corners.y].position.xyz - a, aside = skins[first + root.corners.z].position.xyz - a;
@@ -20,5 +20,5 @@ void main() {
     uint next = 0u;
     if (area > 1e-20) // a triangle that its bones have pressed flat has no side
         next = atomicExchange(cells[list_of(cell_at(place))], n + 1u);
-    pieces[n] = CoatPiece(vec4(place, root.radius * coat.levels.y), vec4(across / max(area, 1e-20), uintBitsToFloat(next)));
+    patches[n] = CoatPatch(vec4(place, root.radius * coat.levels.y), vec4(across / max(area, 1e-20), uintBitsToFloat(next)));
 }

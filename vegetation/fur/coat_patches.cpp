@@ -1,4 +1,4 @@
-// Pieces of a mesh's skin, and which vertices have some before their strands.
+// Patches of a mesh's skin, and which vertices have some before their strands.
 #include "vegetation/fur/coat_room.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace windrow::vegetation::fur {
 namespace {
 
-constexpr float k_most_pieces = 60'000.0f;
+constexpr float k_most_patches = 60'000.0f;
 constexpr int k_most_cuts = 64; // of a side of a triangle: a plane's may be as long as a field
 
 struct Place {
@@ -21,10 +21,10 @@ glm::vec3 position_of(const CoatVertexBlock& vertex) {
     return glm::vec3(vertex.position);
 }
 
-Place place_of(std::span<const CoatVertexBlock> vertices, const CoatPieceBlock& piece) {
-    const glm::vec3 a = position_of(vertices[piece.corners.x]), along = position_of(vertices[piece.corners.y]) - a,
-                    aside = position_of(vertices[piece.corners.z]) - a, across = glm::cross(along, aside);
-    return {a + piece.weights.x * along + piece.weights.y * aside, across / std::max(glm::length(across), 1e-20f)};
+Place place_of(std::span<const CoatVertexBlock> vertices, const CoatPatchBlock& patch) {
+    const glm::vec3 a = position_of(vertices[patch.corners.x]), along = position_of(vertices[patch.corners.y]) - a,
+                    aside = position_of(vertices[patch.corners.z]) - a, across = glm::cross(along, aside);
+    return {a + patch.weights.x * along + patch.weights.y * aside, across / std::max(glm::length(across), 1e-20f)};
 }
 
 // A cell of a grid, 20 bits an axis, and three more of what lies in it apart.
@@ -43,22 +43,22 @@ std::uint64_t side_of(glm::vec3 normal) {
 }
 
 struct Kept {
-    std::size_t piece = 0;
+    std::size_t patch = 0;
     float area = 0.0f;
 };
 
 } // namespace
 
-std::vector<CoatPieceBlock> skin_pieces(std::span<const CoatVertexBlock> vertices, std::span<const std::uint32_t> indices,
-                                        float length) {
+std::vector<CoatPatchBlock> skin_patches(std::span<const CoatVertexBlock> vertices, std::span<const std::uint32_t> indices,
+                                         float length) {
     double area = 0.0;
     for (std::size_t n = 0; n < indices.size(); n += 3) {
         const glm::vec3 a = position_of(vertices[indices[n]]);
-        area += 0.5 * static_cast<double>(glm::length(glm::cross(position_of(vertices[indices[n + 1]]) - a,
-                                                                 position_of(vertices[indices[n + 2]]) - a)));
+        area += 0.5 * static_cast<double>(glm::length(
+                          glm::cross(position_of(vertices[indices[n + 1]]) - a, position_of(vertices[indices[n + 2]]) - a)));
     }
-    const float apart = std::max(length / 3.0f, std::sqrt(static_cast<float>(area) / k_most_pieces));
-    std::vector<CoatPieceBlock> pieces;
+    const float apart = std::max(length / 3.0f, std::sqrt(static_cast<float>(area) / k_most_patches));
+    std::vector<CoatPatchBlock> patches;
     std::unordered_map<std::uint64_t, Kept> in_cell; // fine meshes: the largest of a cell stands for those beside it
     for (std::size_t n = 0; n < indices.size(); n += 3) {
         const glm::uvec3 corners(indices[n], indices[n + 1], indices[n + 2]);
@@ -75,46 +75,51 @@ std::vector<CoatPieceBlock> skin_pieces(std::span<const CoatVertexBlock> vertice
         for (int row = 0; row < cuts; ++row)
             for (int column = 0; column < 2 * (cuts - row) - 1; ++column) {
                 const float turned = column % 2 == 1 ? 2.0f / 3.0f : 1.0f / 3.0f;
-                const glm::vec2 weights{(static_cast<float>(column / 2) + turned) * step, (static_cast<float>(row) + turned) * step};
-                const CoatPieceBlock piece{.corners = corners, .radius = 1.05f * around * step, .weights = weights};
-                const Place place = place_of(vertices, piece);
+                const glm::vec2 weights{(static_cast<float>(column / 2) + turned) * step,
+                                        (static_cast<float>(row) + turned) * step};
+                const CoatPatchBlock patch{.corners = corners, .radius = 1.05f * around * step, .weights = weights};
+                const Place place = place_of(vertices, patch);
                 const auto [known, is_new] =
-                    in_cell.try_emplace(key_of(place.at, 0.7f * apart, side_of(place.normal)), Kept{pieces.size(), size});
+                    in_cell.try_emplace(key_of(place.at, 0.5f * apart, side_of(place.normal)), Kept{patches.size(), size});
                 if (is_new) {
-                    pieces.push_back(piece);
+                    patches.push_back(patch);
                     continue;
                 }
-                CoatPieceBlock& kept = pieces[known->second.piece];
-                const float radius = std::max({kept.radius, piece.radius, 1.2f * apart});
+                CoatPatchBlock& kept = patches[known->second.patch];
+                const float off = glm::distance(place.at, place_of(vertices, kept).at);
                 if (size > known->second.area) {
-                    kept = piece;
+                    const float covered = off + kept.radius;
+                    kept = patch;
+                    kept.radius = std::max(patch.radius, covered);
                     known->second.area = size;
+                } else {
+                    kept.radius = std::max(kept.radius, off + patch.radius);
                 }
-                kept.radius = radius;
             }
     }
-    return pieces;
+    return patches;
 }
 
 std::vector<std::uint32_t> narrow_vertices(std::span<const CoatVertexBlock> vertices, std::size_t drawn,
-                                           std::span<const CoatPieceBlock> pieces, float length) {
+                                           std::span<const CoatPatchBlock> patches, float length) {
     std::vector<std::uint32_t> narrow;
     const bool moves = std::any_of(vertices.begin(), vertices.end(), [](const auto& vertex) { return vertex.weights.x > 0.0f; });
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells;
     const float cell = 1.4f * length;
     std::vector<Place> places;
-    for (std::uint32_t n = 0; n < pieces.size() && !moves; ++n) {
-        places.push_back(place_of(vertices, pieces[n]));
+    for (std::uint32_t n = 0; n < patches.size() && !moves; ++n) {
+        places.push_back(place_of(vertices, patches[n]));
         cells[key_of(places.back().at, cell)].push_back(n);
     }
     for (std::uint32_t n = 0; n < drawn; ++n) {
         const glm::vec3 root = position_of(vertices[n]), up(vertices[n].normal);
         // Skin that rises over the tangent plane, by more than a lying strand is high, and that the root does not lie behind.
-        const auto rises = [&](std::uint32_t piece) {
-            const glm::vec3 off = places[piece].at - root;
+        const auto rises = [&](std::uint32_t patch) {
+            const glm::vec3 off = places[patch].at - root;
             const float far = glm::length(off);
-            return far < cell && glm::dot(off, places[piece].normal) < 0.15f * length &&
-                   (glm::dot(off, up) > 0.05f * far || glm::dot(places[piece].normal, up) < 0.9f);
+            const float over = glm::dot(off, up);
+            return far < cell && glm::dot(off, places[patch].normal) < 0.15f * length &&
+                   (over > 0.05f * far || (over > -0.05f * length && glm::dot(places[patch].normal, up) < 0.9f));
         };
         bool met = moves;
         for (int near = 0; near < 27 && !met; ++near) {
