@@ -25,9 +25,9 @@ struct WindrowSkinPatch {
     vec3 normal;  // unit, outward
 };
 
-// Smoothly from 1 at `near` to 0 at `far`.
-WINDROW_FN float windrow_room_fade(float near, float far, float at) {
-    float share = clamp((far - at) / (far - near), 0.0f, 1.0f);
+// Smoothly from 1 at `inner` to 0 at `outer`.
+WINDROW_FN float windrow_room_fade(float inner, float outer, float at) {
+    float share = clamp((outer - at) / (outer - inner), 0.0f, 1.0f);
     return share * share * (3.0f - 2.0f * share);
 }
 
