@@ -8,6 +8,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <utility>
 #include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::fur {
@@ -163,6 +164,7 @@ Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<con
         if (!moved)
             return moved;
     }
+    since_ = seconds > 0.0 ? since_ + seconds : 0.0;
     body_ = body;
     ahead_ = ahead ? ahead->body : body;
     const std::span<const glm::mat4> soon = ahead ? ahead->bones : bones;
@@ -295,7 +297,7 @@ Result<void> Coat::prepare(const render::PassContext& context) {
     if (room_) {
         vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1,
                              &barrier, 0, nullptr, 0, nullptr);
-        room_->record(context.commands, sets, first == 1);
+        room_->record(context.commands, sets, std::exchange(since_, 0.0), first == 1);
     }
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,

@@ -113,6 +113,7 @@ class Coat final : public render::Drawable {
     std::uint32_t vertex_count_ = 0, skin_count_ = 0, index_count_ = 0; // drawn; of the body, as far as the coat needs it
     glm::vec3 middle_{0.0f};
     float radius_ = 0.0f, posed_radius_ = 0.0f, top_ = 1.0f;
+    double since_ = 0.0; // [s] moved since the last frame
     bool first_ = true;
     std::array<bool, 3> seen_{};
 

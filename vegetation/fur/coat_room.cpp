@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::fur {
@@ -21,8 +22,10 @@ constexpr std::array k_bindings{k_of_compute, k_of_compute, k_of_compute, k_of_c
 struct Push {
     std::int32_t first;
     std::uint32_t patches, last_cell, narrow;
+    float follows;
 };
-static_assert(sizeof(Push) <= engine::k_push_bytes);
+
+constexpr double k_relaxation = 0.06; // [s] of lean and length: a tuft that the skin stops is seen to move
 
 void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to,
           VkAccessFlags takes) {
@@ -42,7 +45,7 @@ CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayo
     const VkDescriptorSetLayout own = engine::make_layout(objects, k_bindings);
     std::vector<VkDescriptorSetLayout> sets(before.begin(), before.end());
     sets.push_back(own);
-    layout_ = engine::make_pipeline_layout(objects, sets);
+    layout_ = engine::make_pipeline_layout(objects, sets, sizeof(Push));
     place_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_patches);
     limit_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_outside);
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -58,7 +61,7 @@ CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayo
         engine::point(objects.device(), set_, binding++, k_storage, each.buffer);
 }
 
-void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet> before, bool first) const {
+void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet> before, double seconds, bool first) const {
     constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     constexpr VkAccessFlags reads_and_writes = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
     // The last frame's lists have been read; nothing of them is kept.
@@ -69,7 +72,8 @@ void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet>
     sets.push_back(set_);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
                             sets.data(), 0, nullptr);
-    const Push push{first ? 1 : 0, patches_, last_cell_, narrow_};
+    const auto follows = static_cast<float>(first || seconds <= 0.0 ? 1.0 : 1.0 - std::exp(-seconds / k_relaxation));
+    const Push push{first ? 1 : 0, patches_, last_cell_, narrow_, follows};
     vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
     const auto run = [&](VkPipeline pipeline, std::uint32_t count) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);

@@ -58,6 +58,10 @@ void main() {
         else
             lean *= kept;
     }
+    // A strand that lets go of the skin, or meets it, takes some frames to do so.
+    CoatSkin before = skins[coat.counts.z + vertex];
+    lean = mix(1.0 - before.own.w, lean, follows);
+    reach = mix(1.0 - before.load.w, reach, follows);
     if (lean >= 1.0 && reach >= 1.0)
         return;
     skin.own.xyz = windrow_coat_own_leaning(coat.shells, up, skin.position.w, skin.own.xyz, lean);

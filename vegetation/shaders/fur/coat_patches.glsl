@@ -33,6 +33,7 @@ layout(push_constant) uniform Room {
     uint patch_count; // of the whole body
     uint last_cell;   // lists, less 1: a power of two
     uint narrow_count;
+    float follows; // fraction of the way from the last frame's lean and length to this pose's own, 1 without one before
 };
 
 // [m] No strand reaches farther than the cells around its own, with the patch that it may meet.
