@@ -38,13 +38,12 @@ void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wro
 
 } // namespace
 
-CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout> before,
+CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout, 3> before,
                    std::span<const CoatPatchBlock> patches, std::span<const std::uint32_t> narrow)
     : patches_(static_cast<std::uint32_t>(patches.size())), last_cell_(std::bit_ceil(std::max(2 * patches_, 64u)) - 1),
       narrow_(static_cast<std::uint32_t>(narrow.size())) {
     const VkDescriptorSetLayout own = engine::make_layout(objects, k_bindings);
-    std::vector<VkDescriptorSetLayout> sets(before.begin(), before.end());
-    sets.push_back(own);
+    const std::array sets{before[0], before[1], before[2], own};
     layout_ = engine::make_pipeline_layout(objects, sets, sizeof(Push));
     place_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_patches);
     limit_ = engine::make_compute_pipeline(objects, layout_, windrow::vulkan::shader_words::coat_outside);
@@ -61,15 +60,14 @@ CoatRoom::CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayo
         engine::point(objects.device(), set_, binding++, k_storage, each.buffer);
 }
 
-void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet> before, double seconds, bool first) const {
+void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet, 3> before, double seconds, bool first) const {
     constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     constexpr VkAccessFlags reads_and_writes = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
     // The last frame's lists have been read; nothing of them is kept.
     wait(commands, compute, 0, VK_PIPELINE_STAGE_TRANSFER_BIT, 0);
     vkCmdFillBuffer(commands, cells_, 0, VK_WHOLE_SIZE, 0);
     wait(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, compute, reads_and_writes);
-    std::vector<VkDescriptorSet> sets(before.begin(), before.end());
-    sets.push_back(set_);
+    const std::array sets{before[0], before[1], before[2], set_};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
                             sets.data(), 0, nullptr);
     const auto follows = static_cast<float>(first || seconds <= 0.0 ? 1.0 : 1.0 - std::exp(-seconds / k_relaxation));

@@ -36,12 +36,12 @@ static_assert(sizeof(CoatPatchBlock) == 32);
 class CoatRoom {
   public:
     /// `before` are the sets 0 to 2 of the coat, `skins` its buffer. The makers throw Failure.
-    CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout> before, std::span<const CoatPatchBlock> patches,
+    CoatRoom(engine::Objects& objects, std::span<const VkDescriptorSetLayout, 3> before, std::span<const CoatPatchBlock> patches,
              std::span<const std::uint32_t> narrow);
 
     /// After the skin's pass and its barrier to reading and writing by compute; ends with such a barrier. Sets 0 to 2 are bound
     /// anew. `seconds` since the last frame, 0: unknown, strands are at once where they belong. `first`: no frame was before.
-    void record(VkCommandBuffer commands, std::span<const VkDescriptorSet> before, double seconds, bool first) const;
+    void record(VkCommandBuffer commands, std::span<const VkDescriptorSet, 3> before, double seconds, bool first) const;
 
   private:
     std::uint32_t patches_ = 0, last_cell_ = 0, narrow_ = 0;
