@@ -22,10 +22,16 @@ constexpr std::array k_bindings{k_of_compute, k_of_compute, k_of_compute, k_of_c
 struct Push {
     std::int32_t first;
     std::uint32_t patches, last_cell, narrow;
-    float follows;
+    float takes, gives;
 };
 
-constexpr double k_relaxation = 0.06; // [s] of lean and length: a tuft that the skin stops is seen to move
+// [s] Relaxation of lean and length: a tuft that the skin stops is seen to move. Back it may take longer: it is outside meanwhile.
+constexpr double k_takes = 0.025, k_gives = 0.1;
+
+// 1 after no frame, or after one that nothing is known of.
+float followed(double seconds, double relaxation, bool first) {
+    return first || seconds <= 0.0 ? 1.0f : static_cast<float>(-std::expm1(-seconds / relaxation));
+}
 
 void wait(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to,
           VkAccessFlags takes) {
@@ -70,8 +76,8 @@ void CoatRoom::record(VkCommandBuffer commands, std::span<const VkDescriptorSet,
     const std::array sets{before[0], before[1], before[2], set_};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, static_cast<std::uint32_t>(sets.size()),
                             sets.data(), 0, nullptr);
-    const auto follows = static_cast<float>(first || seconds <= 0.0 ? 1.0 : 1.0 - std::exp(-seconds / k_relaxation));
-    const Push push{first ? 1 : 0, patches_, last_cell_, narrow_, follows};
+    const Push push{
+        first ? 1 : 0, patches_, last_cell_, narrow_, followed(seconds, k_takes, first), followed(seconds, k_gives, first)};
     vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof push, &push);
     const auto run = [&](VkPipeline pipeline, std::uint32_t count) {
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);

@@ -58,10 +58,11 @@ void main() {
         else
             lean *= kept;
     }
-    // A strand that lets go of the skin, or meets it, takes some frames to do so.
+    // A strand that meets the skin takes some frames to rise before it, and more to lie down again.
     CoatSkin before = skins[coat.counts.z + vertex];
-    lean = mix(1.0 - before.own.w, lean, follows);
-    reach = mix(1.0 - before.load.w, reach, follows);
+    float had_lean = 1.0 - before.own.w, had_reach = 1.0 - before.load.w;
+    lean = mix(had_lean, lean, lean < had_lean ? takes : gives);
+    reach = mix(had_reach, reach, reach < had_reach ? takes : gives);
     if (lean >= 1.0 && reach >= 1.0)
         return;
     skin.own.xyz = windrow_coat_own_leaning(coat.shells, up, skin.position.w, skin.own.xyz, lean);

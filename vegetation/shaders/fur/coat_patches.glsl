@@ -33,7 +33,9 @@ layout(push_constant) uniform Room {
     uint patch_count; // of the whole body
     uint last_cell;   // lists, less 1: a power of two
     uint narrow_count;
-    float follows; // fraction of the way from the last frame's lean and length to this pose's own, 1 without one before
+    // Fractions of the way from the last frame's lean and length to what the pose leaves: down to less, and back up; 1: no frame before.
+    float takes;
+    float gives;
 };
 
 // [m] No strand reaches farther than the cells around its own, with the patch that it may meet.

@@ -84,7 +84,7 @@ double worst_tips(const Subject& of, const std::string& name, float speed, bool 
         for (int step = 29; step >= 0; --step) {
             const double now = time - k_step * step;
             EXPECT_TRUE(coat.move(k_step, of.pose(now, turn), of.bones(now)));
-            if (step < 12)
+            if (step < 5)
                 skin_only(stage, k_step);
         }
         const Inside found = inside_of(coat, of.model.mesh, windrow::test::sampled(20'000, 5'000));
@@ -138,7 +138,7 @@ struct Walk {
 Walk walk(const Subject& of, double second) {
     Stage stage({.ambient = 8.0f * of.wind(), .gusts = 0.5f, .width = 16, .height = 16});
     Coat& coat = stage.dress(of.model.mesh, of.coat, at({}));
-    constexpr double begin = 0.15, end = 0.3;
+    constexpr double begin = 0.15, end = 0.25;
     const int frames = static_cast<int>(std::lround((end - begin) / second));
     const double length = static_cast<double>(of.coat.layers.length);
     Walk made;
