@@ -47,7 +47,7 @@ ShellPlace shell_place(CoatSkin skin, float height, vec3 wind_load) {
     }
     float kept = 1.0 - skin.load.w; // as a whole, so that layers keep their order
     place.position =
-        skin.position.xyz + kept * ((own.stem.reach * h + coat.shells.form.x * coat.shells.form.z) * place.normal + shift);
+        skin.position.xyz + kept * (own.stem.reach * h + coat.shells.form.x * coat.shells.form.z) * place.normal + kept * shift;
     place.along = kept * (own.stem.reach * (place.normal + tangent));
     return place;
 }
