@@ -42,7 +42,9 @@ void main() {
                 number = floatBitsToUint(disc.normal.w);
                 WindrowSkinPatch skin_patch = WindrowSkinPatch(disc.place.xyz, disc.place.w, disc.normal.xyz);
                 vec3 off = disc.place.xyz - root;
-                if (dot(off, off) > 1.96 * length_of * length_of)
+                // Too far, facing away from the root, or under a strand that stays over its own tangent plane.
+                if (dot(off, off) > 1.96 * length_of * length_of || dot(off, disc.normal.xyz) > 0.15 * length_of ||
+                    dot(off, up) < -1.5 * disc.place.w)
                     continue;
                 for (int k = 0; k < k_heights; ++k) {
                     float margin = at_length ? 0.0 : k_margin * length_of * top * float(k + 1) / float(k_heights);
