@@ -20,6 +20,7 @@
 #include "vegetation/program/body.h"
 #include "vegetation/render/grass_layer.h"
 #include "vegetation/render/obstacle_solid.h"
+#include "vegetation/render/renderer.h"
 #include "vegetation/render/scene.h"
 #include "vegetation/trees/stand_settings.h"
 
@@ -35,10 +36,12 @@ struct CameraSource {
     std::optional<std::size_t> path{};
     std::optional<std::size_t> target_path{};
     bool above_ground = false;
+    float shutter_deg = 0.0f;
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("", &CameraSource::lens, "Lens of the camera."),
+            Setting("shutter_deg", &CameraSource::shutter_deg, render::k_shutter_range, render::k_shutter_meaning),
             Setting("path", &CameraSource::path, "Name of the path that it moves along instead of its position."),
             Setting("target_path", &CameraSource::target_path, "Name of the path that the target moves along instead."),
             Setting("above_ground", &CameraSource::above_ground,

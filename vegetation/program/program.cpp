@@ -2,6 +2,7 @@
 //
 //     windrow-draw examples/scenes/meadow.json --out out/meadow      every frame as PNG, a contact sheet, a table of times
 //     windrow-draw SCENE.json --frames 1 --from 3.5 --size 1920x1080 one picture, of the moment 3.5 s
+//     windrow-draw SCENE.json --fps 24 --shutter 180 --resume        frames of a film; a run that was stopped goes on
 //     windrow-draw SCENE.json --show slice                           the wind itself: streaks, arrows, slice; or what plants do:
 //                                                                    lean, levels, chunks
 //     windrow-draw examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
@@ -38,6 +39,7 @@ struct Options {
     std::filesystem::path jpeg{};            ///< folder of small pictures, if they were asked for
     std::int64_t frames = 0;                 ///< 0: all from `from`
     double from = 0.0;                       ///< [s]
+    bool resume = false;                     ///< pictures at the begin that are there are kept
     bool exr = false;
     program::ShootSettings shoot{};
 };
@@ -46,8 +48,8 @@ struct Options {
 struct Kept {
     std::vector<render::Picture8> sheet{};
     program::StageTable stages{};
-    std::int64_t pictures = 0;
-    double seconds = 0.0; ///< of the clock on the wall, pictures and files included
+    std::int64_t pictures = 0, before = 0; ///< drawn by this run; kept from one before
+    double seconds = 0.0;                  ///< of the clock on the wall, pictures and files included
 };
 
 std::filesystem::path name_of(const Options& options, std::int64_t frame, const char* ending) {
@@ -56,32 +58,48 @@ std::filesystem::path name_of(const Options& options, std::int64_t frame, const 
     return options.folder / name;
 }
 
+/// The picture last: where it is, all of the frame is (--resume).
 Result<void> keep(const Options& options, const program::Shoot& shoot, std::int64_t frame) {
-    if (auto written = windrow::pictures::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
-        return written;
     if (options.exr)
-        return windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
-                                            name_of(options, frame, ".exr"));
-    return {};
+        if (auto written = windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
+                                                        name_of(options, frame, ".exr"));
+            !written)
+            return written;
+    return windrow::pictures::write_png(shoot.images().picture(), name_of(options, frame, ".png"));
+}
+
+/// The first frame from `first` on, before `end`, that has no picture yet. A picture is written whole or not at all.
+std::int64_t first_without_picture(const Options& options, std::int64_t first, std::int64_t end) {
+    std::error_code error;
+    while (first < end && std::filesystem::is_regular_file(name_of(options, first, ".png"), error))
+        ++first;
+    return first;
 }
 
 Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::Shoot& shoot) {
+    // Motion vectors are of two frames, and what is drawn keeps its last place: so many are drawn, and not written, before a film
+    // goes on.
+    constexpr std::int64_t k_lead = 2;
     const auto begin = std::chrono::steady_clock::now();
     const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
-    const auto first = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
-    if (first >= total)
+    const auto asked = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
+    if (asked >= total)
         return Error{"--from is " + std::to_string(options.from) + " s, after the scene's end at " +
                      std::to_string(scene.air.duration) + " s; give an earlier moment."};
-    const std::int64_t end = options.frames > 0 ? std::min(total, first + options.frames) : total;
+    const std::int64_t end = options.frames > 0 ? std::min(total, asked + options.frames) : total;
+    const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
+    const std::int64_t lead = shoot.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
+    if (first == end)
+        return Kept{.before = end - asked};
     if (auto settled = shoot.warm_up(); !settled)
         return Error{settled.error()};
-    Kept kept;
+    Kept kept{.before = first - asked};
     kept.stages = program::StageTable(shoot);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_max_on_sheet));
     const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
-        if (auto done = frame < first ? shoot.skip() : shoot.draw(); !done)
+        if (auto done = frame < lead ? shoot.skip() : shoot.draw(frame >= first); !done)
             return Error{done.error()};
         if (frame < first)
             continue;
@@ -147,6 +165,10 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
             return complain(written.error(), 2);
     if (!kept->sheet.empty())
         firsts.push_back(kept->sheet.front());
+    if (kept->before > 0)
+        std::printf("%d pictures were there\n", static_cast<int>(kept->before));
+    if (kept->pictures == 0)
+        return 0;
     if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
         return complain(written.error(), 2);
     std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*shoot)->device().c_str(), static_cast<int>(kept->pictures),
@@ -238,11 +260,16 @@ int main(int argument_count, char** arguments) {
     app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
+    app.add_flag("--resume", options.resume, "keeps pictures that are there, from the first on, and draws those behind them");
     app.add_option("--warm-up", options.shoot.warm_up, "[s] of wind before the first picture; default: the scene's")
         ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
     app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
+    app.add_option("--shutter", options.shoot.shutter_deg,
+                   "[deg] blurs what moves, as a camera does that is open for this angle of a "
+                   "frame; 180 is a film's; default: the scene's")
+        ->check(within(0.0, 360.0));
     app.add_option("--show", show, "plants, or with them streaks, arrows, slice of the wind; or lean, levels, chunks");
     app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
     app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");

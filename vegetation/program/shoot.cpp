@@ -76,9 +76,13 @@ Result<void> Shoot::make() {
     }
     scene.wind.wind = air;
     scene.wind.sampling = picture.sampling;
-    auto renderer = render::Renderer::create(
-        *device_, scene,
-        {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
+    auto renderer = render::Renderer::create(*device_, scene,
+                                             {.width = size_.x,
+                                              .height = size_.y,
+                                              .samples = settings_.samples,
+                                              .shutter_deg = shutter_deg(),
+                                              .anchor = anchor_,
+                                              .counts = settings_.counts});
     if (!renderer)
         return Error{"$.picture: " + renderer.error()};
     renderer_ = *std::move(renderer);

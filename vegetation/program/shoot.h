@@ -38,6 +38,7 @@ struct ShootSettings {
     std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
     std::optional<double> frames_per_second{}; ///< default: the scene's
     std::optional<double> warm_up{};           ///< [s] of wind before the first picture; default: the scene's
+    std::optional<float> shutter_deg{};        ///< of RenderSettings; default: the scene's
     int samples = 4;                           ///< a pixel, 1 or 4
     Show show = Show::plants;
     bool wind = true;                ///< false: nothing blows and no step is recorded, to tell what the wind costs
@@ -71,6 +72,7 @@ class Shoot {
     [[nodiscard]] std::int64_t frame() const { return frame_; }
     [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
     [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] float shutter_deg() const { return settings_.shutter_deg.value_or(scene_.picture.camera.shutter_deg); }
     [[nodiscard]] const render::Targets& images() const { return renderer_->images(); }
     /// By the device's clock, of the frame drawn last; empty where the device counts no time.
     [[nodiscard]] const std::vector<render::StageTime>& times() const { return renderer_->clock().times(); }

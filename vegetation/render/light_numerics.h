@@ -16,6 +16,7 @@ namespace windrow::vegetation::render::numerics {
 using namespace glm;
 #include "../shaders/numerics/cloud_layer.glsl"
 #include "../shaders/numerics/leaf_light.glsl"
+#include "../shaders/numerics/motion_blur.glsl"
 #include "../shaders/numerics/motion_vector.glsl"
 #include "../shaders/numerics/sky.glsl"
 #include "../shaders/numerics/speed_colour.glsl"

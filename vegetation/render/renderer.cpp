@@ -63,7 +63,9 @@ windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& devi
 
 Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings)
     : device_(device), objects_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
-      images_(objects_, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT),
+      images_(objects_, {.extent = extent_of(settings),
+                         .samples = settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT,
+                         .blurred = settings.shutter_deg > 0.0f}),
       clock_(objects_), wind_(objects_) {
     if (settings.counts)
         counter_.emplace(objects_);
@@ -94,6 +96,8 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
                                      .fragment = words::tone_frag,
                                      .layout = full_screen_,
                                      .target = images_.toned_target()});
+    if (settings.shutter_deg > 0.0f)
+        blur_.emplace(objects_, images_, frame_layout_, settings.shutter_deg);
     terrain_.emplace(objects_, draw_targets(), scene.ground, scene.look);
     drawables_.push_back(&*terrain_);
 
@@ -238,6 +242,11 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     vkCmdEndRenderPass(commands);
     clock_.mark(commands, "colour");
 
+    if (blur_) {
+        blur_->record(commands, context.frame);
+        clock_.mark(commands, "blur");
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
+    }
     images_.toned().begin(commands);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, tone_);
     vkCmdDraw(commands, 3, 1, 0, 0);

@@ -12,11 +12,12 @@
 //     (void)render::write_ppm((*renderer)->images().picture(), "frame.ppm");
 //
 // Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
-// toned picture.
+// toned picture. With a shutter the light is blurred along the motion before it is toned.
 #pragma once
 
 #include "../vulkan/wind_set.h"
 #include "frame_block.h"
+#include "motion_blur.h"
 #include "stage_clock.h"
 #include "targets.h"
 #include "terrain.h"
@@ -29,6 +30,11 @@
 
 namespace windrow::vegetation::render {
 
+/// Of a shutter that turns once a frame and is open over this angle.
+inline constexpr Range k_shutter_range{0.0, 360.0, "deg", "open for no time: nothing is blurred, at no cost"};
+inline constexpr const char* k_shutter_meaning =
+    "Blurs what moves, as a film camera does that is open for this angle of a frame. 180 is a film's.";
+
 struct RenderSettings {
     int width = 1280;
     int height = 720;
@@ -36,6 +42,7 @@ struct RenderSettings {
     int shadow_texels = 1024;
     float near_shadow = 12.0f;
     float far_shadow = 70.0f;
+    float shutter_deg = 0.0f;
     glm::dvec3 anchor{0.0};
     bool counts = false;
 
@@ -49,6 +56,7 @@ struct RenderSettings {
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
                     "Reach of the coarse one, above near_shadow; beyond it all is lit."),
+            Setting("shutter_deg", &RenderSettings::shutter_deg, k_shutter_range, k_shutter_meaning),
             Setting("anchor", &RenderSettings::anchor, k_place_range,
                     "Origin of shader positions: within some km of the camera."),
             Setting("counts", &RenderSettings::counts,
@@ -119,6 +127,7 @@ class Renderer {
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
     VkDescriptorSet light_set_ = VK_NULL_HANDLE;
     engine::FrameBuffers blocks_{};
+    std::optional<MotionBlur> blur_{};
     std::optional<Terrain> terrain_{};
     std::vector<Drawable*> drawables_{};
     ViewBlock block_{};

@@ -1,5 +1,6 @@
 #include "vegetation/render/targets.h"
 
+#include <array>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <vulkan/vulkan.h>
@@ -32,17 +33,20 @@ VkFormat depth_format(const engine::Device& device) {
     return has ? VK_FORMAT_D32_SFLOAT : VK_FORMAT_X8_D24_UNORM_PACK32;
 }
 
-Targets::Targets(engine::Objects& objects, VkExtent2D extent, VkSampleCountFlagBits samples)
-    : device_(objects.device()), extent_(extent), samples_(samples) {
+Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
+    : device_(objects.device()), extent_(settings.extent), samples_(settings.samples) {
+    const VkExtent2D extent = extent_;
+    const VkSampleCountFlagBits samples = samples_;
     const bool one = samples == VK_SAMPLE_COUNT_1_BIT;
     const VkImageUsageFlags drawn = one ? k_read : k_drawn | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
     const VkFormat depth = depth_format(device_);
+    const VkImageUsageFlags depth_more = settings.blurred ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
     light_ = objects.image({.format = k_light, .extent = extent, .samples = samples, .usage = drawn});
     motion_ = objects.image({.format = k_motion, .extent = extent, .samples = samples, .usage = drawn});
     depth_ = objects.image({.format = depth,
                             .extent = extent,
                             .samples = samples,
-                            .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT,
+                            .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | depth_more,
                             .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
     if (!one) {
         light_one_ = objects.image({.format = k_light, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
@@ -71,22 +75,29 @@ Targets::Targets(engine::Objects& objects, VkExtent2D extent, VkSampleCountFlagB
          .samples = samples,
          .view = depth_.view,
          .cleared = true,
-         .kept = false,
-         .end = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}};
+         .kept = settings.blurred,
+         .end = settings.blurred ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                                 : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL}};
+    const VkImageLayout motion_end = settings.blurred ? sampled : copied;
     if (one) {
         attachments[0].end = sampled;
-        attachments[1].end = copied;
+        attachments[1].end = motion_end;
     } else {
         attachments.push_back({.role = Role::resolve, .format = k_light, .view = light_one_.view, .end = sampled});
-        attachments.push_back({.role = Role::resolve, .format = k_motion, .view = motion_one_.view, .end = copied});
+        attachments.push_back({.role = Role::resolve, .format = k_motion, .view = motion_one_.view, .end = motion_end});
     }
     scene_.emplace(objects, extent, attachments);
+    if (settings.blurred) {
+        blurred_light_ = objects.image({.format = k_light, .extent = extent, .usage = k_read});
+        const engine::Attachment light{.format = k_light, .view = blurred_light_.view, .end = sampled};
+        blurred_.emplace(objects, extent, std::span(&light, 1));
+    }
     const engine::Attachment picture{.role = Role::colour, .format = k_picture, .view = picture_.view, .end = copied};
     toned_.emplace(objects, extent, std::span(&picture, 1));
 }
 
 void Targets::copy(VkCommandBuffer commands) const {
-    // Light was left for the toning to read.
+    // Light was left for the toning to read, motion for the blur if there is one.
     VkImageMemoryBarrier turn{};
     turn.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
     turn.srcAccessMask = VK_ACCESS_SHADER_READ_BIT;
@@ -94,12 +105,14 @@ void Targets::copy(VkCommandBuffer commands) const {
     turn.oldLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     turn.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     turn.srcQueueFamilyIndex = turn.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    turn.image = resolved_light().image;
     turn.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    std::array turns{turn, turn};
+    turns[0].image = shown_light().image;
+    turns[1].image = resolved_motion().image;
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
-                         nullptr, 1, &turn);
+                         nullptr, blurred_ ? 2 : 1, turns.data());
     engine::copy_to_host(commands, extent_,
-                         std::array{engine::ImageCopy{resolved_light().image, light_bytes_.buffer},
+                         std::array{engine::ImageCopy{shown_light().image, light_bytes_.buffer},
                                     engine::ImageCopy{resolved_motion().image, motion_bytes_.buffer},
                                     engine::ImageCopy{picture_.image, picture_bytes_.buffer}});
 }

@@ -1,5 +1,5 @@
-// Offscreen render targets: light and motion with multisampling and their resolves, depth, the toned picture, and read-back to
-// the host.
+// Offscreen render targets: light and motion with multisampling and their resolves, depth, the light that a shutter sees, the
+// toned picture, and read-back to the host.
 #pragma once
 
 #include "../vulkan/pipeline.h"
@@ -10,19 +10,30 @@
 
 namespace windrow::vegetation::render {
 
+struct TargetSettings {
+    VkExtent2D extent{};
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_4_BIT; ///< 1 or 4, which every device has
+    bool blurred = false;                                  ///< light is blurred (MotionBlur) before it is toned
+};
+
 class Targets {
   public:
-    /// `samples` is 1 or 4, which every device has.
-    Targets(engine::Objects& objects, VkExtent2D extent, VkSampleCountFlagBits samples);
+    Targets(engine::Objects& objects, const TargetSettings& settings);
 
     [[nodiscard]] VkExtent2D extent() const { return extent_; }
+    [[nodiscard]] VkSampleCountFlagBits samples() const { return samples_; }
     /// The pass that draws light (attachment 0, RGBA16F) and motion (1, RG16F).
     [[nodiscard]] const engine::RenderPass& scene() const { return *scene_; }
     [[nodiscard]] engine::PassTarget scene_target() const { return {scene_->handle(), samples_, 2, true}; }
-    /// The pass that draws the picture (RGBA8, sRGB) from the resolved light.
+    /// With TargetSettings::blurred: what a blur reads, and its pass, which draws light (RGBA16F) from the scene's.
+    [[nodiscard]] VkImageView drawn_light() const { return resolved_light().view; }
+    [[nodiscard]] VkImageView motion() const { return resolved_motion().view; }
+    [[nodiscard]] VkImageView depth() const { return depth_.view; } ///< of `samples()` samples
+    [[nodiscard]] const engine::RenderPass& blurred() const { return *blurred_; }
+    /// The pass that draws the picture (RGBA8, sRGB) from `light()`.
     [[nodiscard]] const engine::RenderPass& toned() const { return *toned_; }
     [[nodiscard]] engine::PassTarget toned_target() const { return {toned_->handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}; }
-    [[nodiscard]] VkImageView light() const { return resolved_light().view; }
+    [[nodiscard]] VkImageView light() const { return shown_light().view; }
 
     /// After both passes: copies all to the host.
     void copy(VkCommandBuffer commands) const;
@@ -32,6 +43,7 @@ class Targets {
     [[nodiscard]] PictureF motion_picture() const; ///< two channels: fractions of the picture's size, x right, y down
 
   private:
+    [[nodiscard]] const engine::Image& shown_light() const { return blurred_ ? blurred_light_ : resolved_light(); }
     [[nodiscard]] const engine::Image& resolved_light() const { return samples_ == VK_SAMPLE_COUNT_1_BIT ? light_ : light_one_; }
     [[nodiscard]] const engine::Image& resolved_motion() const {
         return samples_ == VK_SAMPLE_COUNT_1_BIT ? motion_ : motion_one_;
@@ -40,9 +52,9 @@ class Targets {
     const engine::Device& device_;
     VkExtent2D extent_{};
     VkSampleCountFlagBits samples_{};
-    engine::Image light_{}, motion_{}, depth_{}, light_one_{}, motion_one_{}, picture_{};
+    engine::Image light_{}, motion_{}, depth_{}, light_one_{}, motion_one_{}, blurred_light_{}, picture_{};
     engine::Buffer light_bytes_{}, motion_bytes_{}, picture_bytes_{};
-    std::optional<engine::RenderPass> scene_{}, toned_{};
+    std::optional<engine::RenderPass> scene_{}, blurred_{}, toned_{};
 };
 
 /// A format that depth is drawn to with more than 16 bits: one of two that every device has.

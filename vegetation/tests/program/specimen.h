@@ -63,7 +63,7 @@ inline constexpr const char* k_specimen = R"({
         "size": [320, 200],
         "frames_per_second": 24.5,
         "warm_up": 3.25,
-        "camera": {"path": "eye", "target_path": "sight", "above_ground": true, "view_deg": 52.5, "near": 0.2, "far": 900, "exposure": 0.72},
+        "camera": {"path": "eye", "target_path": "sight", "above_ground": true, "shutter_deg": 172.5, "view_deg": 52.5, "near": 0.2, "far": 900, "exposure": 0.72},
         "sun": {"elevation_deg": 31.5, "azimuth_deg": -120, "irradiance": 8.5, "haze": 0.1, "radius_deg": 0.3},
         "fog": {"density": 0.002, "fall": 0.03, "base": 12.5},
         "clouds": {"cover": 0.4, "height": 950, "size": 600, "depth": 2.5, "drift": [5, -3]},
