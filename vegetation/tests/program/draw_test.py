@@ -1,14 +1,21 @@
 #!/usr/bin/env python3
-"""draw_test.py PROGRAM SCENES [SCENE]: windrow-draw on the scenes with a picture below the folder SCENES.
+"""draw_test.py PROGRAM SCENES REFERENCES LEFT [SCENE]: windrow-draw on the scenes with a picture below the folder SCENES.
 
-With SCENE, a file, that one draws a small frame under the validation layer, which checks each call and the synchronisation between
-them; whatever it says lands in the output, which must be the program's own lines. Without it, every scene keeps the schema, and the
-program rejects bad input with exit code 2 and one sentence. Needs the layer (Debian: vulkan-validationlayers), a driver and jsonschema (python3-jsonschema); without one of them it fails.
+With SCENE, a file, that one draws a frame of 128 x 72 px under the validation layer, which checks each call and the synchronisation
+between them; whatever it says lands in the output, which must be the program's own lines. The picture is held to the one below
+REFERENCES that was looked at and accepted; what was drawn, and the difference where it is another, are below the folder LEFT.
+
+    WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R '^program\\.draw\\.'        accepts all pictures anew
+    WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R '^program\\.draw\\.wheat$'   accepts one
+
+Without SCENE, every scene keeps the schema and has its reference, and the program rejects bad input with exit code 2 and one
+sentence. Needs the layer (Debian: vulkan-validationlayers), a driver and jsonschema (python3-jsonschema); without one of them it fails.
 """
 import json
 import os
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -16,15 +23,22 @@ import tempfile
 import unittest
 
 import jsonschema
+import small_png
 
 PROGRAM = ""
-SCENES = pathlib.Path()
+SCENES = REFERENCES = LEFT = pathlib.Path()
 SCENE = None
+SIZE = (128, 72)
+# Half a second, so that fans blow, walkers have left a trail and coats have come along; few steps of the wind before it.
+MOMENT = ("--warm-up", 0.2, "--fps", 10, "--from", 0.5)
+# As in golden_test.cpp, on one device: the software one. One machine draws the same bytes each time.
+MAX_MEAN = 0.02  # [8-bit steps]
+MAX_FAR = 0.0005  # four pixels
 LAYER_SETTINGS = """khronos_validation.enables = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT
 khronos_validation.report_flags = error,warn,perf
 khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG
 """
-LINES = re.compile(r".+: 1 pictures of 64 x 36 px in [\d.]+ s, in .+\nmemory: .+\n"
+LINES = re.compile(r".+: 1 pictures of 128 x 72 px in [\d.]+ s, in .+\nmemory: .+\n"
                    r"(this device has no timestamps: no stage is timed\n|ms +mean .+\n(\w+ +[\d. ]+\n)+)")
 
 
@@ -37,6 +51,16 @@ def scenes_with_pictures():
                 yield file, scene
 
 
+def reference_of(scene):
+    return REFERENCES / scene.relative_to(SCENES).with_suffix(".png")
+
+
+def how_to_accept(scene):
+    name = "/".join(scene.relative_to(SCENES).with_suffix("").parts)
+    return ("look at the picture, then accept it by WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R "
+            f"'^program\\.draw\\.{name}$', and add {reference_of(scene)} to the commit.")
+
+
 class UnderTheLayer(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -46,20 +70,47 @@ class UnderTheLayer(unittest.TestCase):
         (self.folder / "small.json").write_text('{"duration": 1, "air": {"cells": [8, 8, 8]}, "picture": {"size": [64, 36], "warm_up": 0}}')
 
     def run_program(self, *arguments):
-        environment = {**os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder)}
+        # References are the software device's: a GPU rounds otherwise. Whoever names a driver has it.
+        chosen = {} if {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"} & os.environ.keys() else {"VK_LOADER_DRIVERS_SELECT": "*lvp*"}
+        environment = {**chosen, **os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder)}
         return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
 
 
 class OneScene(UnderTheLayer):
-    def test_it_draws_a_frame_without_a_word_from_the_layer(self):
-        # Each step of the wind before the picture is recorded as the one before it.
-        settle = () if os.environ.get("WINDROW_TIER") == "all" else ("--warm-up", 0.1)
-        run = self.run_program(SCENE, "--frames", 1, "--size", "64x36", "--out", "drawn", *settle)
+    def draw(self, *moment):
+        """The picture's file, drawn without a word from the layer."""
+        run = self.run_program(SCENE, "--frames", 1, "--size", "%dx%d" % SIZE, "--out", "drawn", *moment)
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertTrue(LINES.fullmatch(run.stdout), run.stdout)
-        picture = (self.folder / "drawn" / "frame_0000.png").read_bytes()
-        self.assertEqual(struct.unpack(">II", picture[16:24]), (64, 36))
+        return next((self.folder / "drawn").glob("frame_*.png"))
+
+    def test_it_draws_the_accepted_picture_without_a_word_from_the_layer(self):
+        drawn, reference = self.draw(*MOMENT), reference_of(SCENE)
+        if os.environ.get("WINDROW_ACCEPT_IMAGES"):
+            reference.parent.mkdir(parents=True, exist_ok=True)
+            small_png.write(reference, small_png.read(drawn))
+            print(f"accepted: {reference}")
+            return
+        here = (LEFT / SCENE.relative_to(SCENES)).with_suffix(".png")
+        here.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(drawn, here)
+        apart_file = here.with_suffix(".difference.png")
+        apart_file.unlink(missing_ok=True)
+        self.assertTrue(reference.is_file(), f"{SCENE} has no reference; it was drawn to {here}: {how_to_accept(SCENE)}")
+        seen, wanted = small_png.read(here), small_png.read(reference)
+        self.assertEqual(seen[:2], wanted[:2], f"{reference} is of another size: {how_to_accept(SCENE)}")
+        mean, far = small_png.apart(seen, wanted)
+        name = "images/examples/" + "/".join(SCENE.relative_to(SCENES).with_suffix("").parts)
+        print(f"[figure] {name}/mean {mean:.6g} {MAX_MEAN:g}\n[figure] {name}/far_fraction {far:.6g} {MAX_FAR:g}")
+        if mean > MAX_MEAN or far > MAX_FAR:
+            small_png.write(apart_file, small_png.difference(seen, wanted))
+            self.fail(f"{SCENE} is not {reference}: a mean of {mean:.4g} with at most {MAX_MEAN}, {far:.4g} of the pixels far off with at "
+                      f"most {MAX_FAR}. Drawn: {here}; the difference, times 8: {apart_file}. If it is meant, {how_to_accept(SCENE)}")
+
+    @unittest.skipUnless(os.environ.get("WINDROW_TIER") == "all", "each step of the wind is recorded as the one before it")
+    def test_the_layer_is_silent_after_the_whole_time_before_the_picture(self):
+        self.draw()
 
 
 class AllScenes(UnderTheLayer):
@@ -69,6 +120,14 @@ class AllScenes(UnderTheLayer):
         files = [file for file, scene in scenes_with_pictures() if not judge.validate(scene)]
         self.assertGreaterEqual({file.stem for file in files},
                                 {"meadow", "tall", "short", "violet", "path", "yellow", "wind", "composition"})
+
+    def test_every_scene_has_its_reference_and_every_reference_its_scene(self):
+        wanted = {reference_of(file): file for file, _ in scenes_with_pictures()}
+        for reference, scene in wanted.items():
+            with self.subTest(scene):
+                self.assertTrue(reference.is_file() or os.environ.get("WINDROW_ACCEPT_IMAGES"), f"{scene} has no reference: {how_to_accept(scene)}")
+        for reference in REFERENCES.rglob("*.png"):
+            self.assertIn(reference, wanted, f"{reference} is of a scene that is gone; remove it.")
 
     def test_several_scenes_make_a_sheet(self):
         (self.folder / "other.json").write_text((self.folder / "small.json").read_text())
@@ -87,7 +146,7 @@ class AllScenes(UnderTheLayer):
 
     def test_bad_flags_are_rejected(self):
         for flag, values in {"--frames": ("0", "-1", "1e9", "nan", "x"), "--from": ("-1", "nan", "inf", "x", "99"),
-                             "--warm-up": ("-1", "nan", "x", "4000"), "--fps": ("0", "nan", "inf", "-5", "1e9"), "--samples": ("0", "2", "x"), "--show": ("zebra", "3"),
+                             "--warm-up": ("-1", "nan", "x", "4000"), "--fps": ("0", "nan", "inf", "-5", "1e9"), "--samples": ("0", "2", "x"), "--show": ("zebra", "3"), "--shutter": ("-1", "nan", "x", "361"),
                              "--size": ("64", "0x0", "64x", "9999x9999", "-64x36", "64x36x2", "nanxnan")}.items():
             for value in values:
                 with self.subTest((flag, value)):
@@ -111,6 +170,6 @@ class AllScenes(UnderTheLayer):
 
 
 if __name__ == "__main__":
-    PROGRAM, SCENES, *scene = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+    PROGRAM, SCENES, REFERENCES, LEFT, *scene = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     SCENE = scene[0] if scene else None
     unittest.main(argv=[sys.argv[0], "OneScene" if SCENE else "AllScenes"])
