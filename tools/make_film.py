@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+"""make_film.py PROGRAM [NAME] [flags]: draws the shots of a film and cuts them together: out/NAME/windrow.mp4.
+
+PROGRAM is the program build/release/windrow-draw. NAME is a film of the edit list, tools/film.json: its shots in their order, with
+cross-fades of one length. A shot has
+    scene     a file of examples/scenes, without .json
+    from      [s] where it begins in the scene; seconds: how long it is, fades included
+    camera    {"from": [x, y, z], "to": [x, y, z]}: the eye goes from one place to the other while the shot lasts, slowly at both
+              ends; "target" the same, of the point that it looks at; default: the scene's own camera
+    set       keys of the scene and their values in place of its own, as {"duration": 6}
+
+A run that is stopped, in whatever way, goes on by the same command: pictures are written whole, and those that are there are kept
+while program, scene and flags are the same. Needs ffmpeg; a software device draws 640 x 360 at one to three seconds a frame.
+"""
+import argparse
+import copy
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+SCENES = ROOT / "examples" / "scenes"
+MAX_WEBP = 4_000_000  # [bytes] what a page can bear
+
+
+class Fault(Exception):
+    """Wrong use: one sentence, exit code 2."""
+
+
+def eased(t):
+    return t * t * (3.0 - 2.0 * t)
+
+
+def path_of(move, begin, seconds):
+    """Points of a path [t, x, y, z] that rests before and after the shot."""
+    steps = 16
+    points = []
+    for n in range(steps + 1):
+        part = eased(n / steps)
+        points.append([begin + seconds * n / steps] + [a + (b - a) * part for a, b in zip(move["from"], move["to"])])
+    return {"points": points}
+
+
+def scene_of(shot):
+    """The scene's text with what the shot changes of it."""
+    file = SCENES / (shot["scene"] + ".json")
+    if not file.is_file():
+        raise Fault(f"{shot['scene']} is no scene of {SCENES}; correct the edit list.")
+    scene = json.loads(file.read_text(encoding="utf-8"))
+    scene.update(copy.deepcopy(shot.get("set", {})))
+    camera = scene.get("picture", {}).get("camera", {})
+    for key, (place, path) in {"camera": ("position", "path"), "target": ("target", "target_path")}.items():
+        if key in shot:
+            scene.setdefault("paths", {})[f"film {key}"] = path_of(shot[key], shot["from"], shot["seconds"])
+            camera.pop(place, None)
+            camera[path] = f"film {key}"
+    return json.dumps(scene, indent=1)
+
+
+def mirror(folder):
+    """Copies what scenes name to folders like theirs, where a changed scene finds it: scenes reject links out of their folder."""
+    for file in SCENES.rglob("*"):
+        here = folder / file.relative_to(SCENES)
+        if file.is_dir():
+            here.mkdir(parents=True, exist_ok=True)
+        elif file.suffix != ".json" and not (here.is_file() and here.stat().st_mtime_ns == file.stat().st_mtime_ns):
+            shutil.copy2(file, here)
+
+
+def hash_of(*files):
+    made = hashlib.sha256()
+    for file in files:
+        made.update(file.read_bytes())
+    return made.hexdigest()
+
+
+class Shot:
+    def __init__(self, number, shot, options):
+        self.name = f"{number:02d}_{shot['scene'].split('/')[-1]}"
+        self.about, self.options = shot, options
+        self.first = round(shot["from"] * options.fps)
+        self.count = round(shot["seconds"] * options.fps)
+        self.frames = options.out / "frames" / self.name
+        self.scene = options.out / "scenes" / pathlib.Path(shot["scene"]).parent / f"{self.name}.json"
+
+    def missing(self):
+        return [n for n in range(self.first, self.first + self.count) if not (self.frames / f"frame_{n:04d}.png").is_file()]
+
+    def draw(self, program_hash):
+        text = scene_of(self.about)
+        self.scene.write_text(text, encoding="utf-8")
+        flags = ["--fps", str(self.options.fps), "--from", repr(self.first / self.options.fps), "--frames", str(self.count),
+                 "--size", self.options.size, "--shutter", str(self.options.shutter)]
+        named = hash_of(*sorted(file for file in self.scene.parent.iterdir() if file.is_file() and file.suffix != ".json"))
+        stamp = "\n".join([program_hash, named, hashlib.sha256(text.encode()).hexdigest(), *flags])
+        stamp_file = self.frames / "made_of"
+        if not stamp_file.is_file() or stamp_file.read_text() != stamp:
+            shutil.rmtree(self.frames, ignore_errors=True)
+            self.frames.mkdir(parents=True)
+            stamp_file.write_text(stamp)  # a part of one is no one's: all is drawn anew
+        missing = len(self.missing())
+        print(f"== {self.name}: {self.count} frames" + (f", {self.count - missing} are there" if missing < self.count else ""), flush=True)
+        if missing == 0:
+            return
+        begin = time.monotonic()
+        run = subprocess.run([self.options.program, self.scene, *flags, "--resume", "--out", self.frames], check=False,
+                             stdout=subprocess.PIPE, text=True)
+        if run.returncode != 0 or self.missing():
+            print(run.stdout, end="")
+            raise Fault(f"{self.name} was not drawn whole; see above.")
+        print(f"   {(time.monotonic() - begin) / missing:.2f} s a frame", flush=True)
+
+
+def inputs_and_filter(shots, fade, fps, ending):
+    """ffmpeg's inputs, and the filter that fades one into the next, as [film]."""
+    inputs, chain, shown = [], [], 0.0
+    last = "0:v"
+    for n, shot in enumerate(shots):
+        inputs += ["-framerate", str(fps), "-start_number", str(shot.first), "-i", shot.frames / "frame_%04d.png"]
+        if n > 0:
+            chain.append(f"[{last}][{n}:v]xfade=transition=fade:duration={fade}:offset={shown - fade:.6f}[f{n}]")
+            last = f"f{n}"
+        shown += shot.count / fps - (fade if n > 0 else 0.0)
+    chain.append(f"[{last}]{ending}[film]")
+    return inputs, ";".join(chain), shown
+
+
+def ffmpeg(arguments, file):
+    """Writes the file whole or not at all."""
+    part = file.with_name("part_" + file.name)
+    run = subprocess.run(["ffmpeg", "-v", "error", "-y", *map(str, arguments), str(part)], check=False)
+    if run.returncode != 0:
+        part.unlink(missing_ok=True)
+        raise Fault(f"ffmpeg made no {file.name}; see above.")
+    os.replace(part, file)
+
+
+def cut(shots, fade, options):
+    film = options.out / "windrow.mp4"
+    inputs, chain, shown = inputs_and_filter(shots, fade, options.fps, "format=yuv420p")
+    ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"], film)
+    print(f"{film}: {shown:.1f} s, {film.stat().st_size / 1e6:.1f} MB")
+    if options.webp is None:
+        return
+    for quality in range(70, 0, -10):
+        inputs, chain, _ = inputs_and_filter(shots, fade, options.fps, "fps=12,scale=480:-2:flags=lanczos")
+        ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libwebp_anim", "-quality", quality, "-compression_level", "6",
+                "-loop", "0"], options.webp)
+        if options.webp.stat().st_size <= MAX_WEBP:
+            print(f"{options.webp}: quality {quality}, {options.webp.stat().st_size / 1e6:.2f} MB")
+            return
+    raise Fault(f"{options.webp} is above {MAX_WEBP} bytes at the least quality; shorten the film.")
+
+
+def read_edit(options):
+    films = json.loads(options.edit.read_text(encoding="utf-8"))
+    if options.name not in films:
+        raise Fault(f"{options.name} is no film of {options.edit}; give one of: {', '.join(films)}.")
+    film = films[options.name]
+    for number, shot in enumerate(film["shots"], 1):
+        unknown = shot.keys() - {"scene", "from", "seconds", "camera", "target", "set"}
+        if unknown or not {"scene", "from", "seconds"} <= shot.keys():
+            raise Fault(f"{options.edit}, {options.name}, shot {number}: give scene, from, seconds, and camera, target, set if need be; "
+                        f"it has {', '.join(sorted(shot))}.")
+        if shot["seconds"] <= 2 * film["fade"]:
+            raise Fault(f"{options.edit}, {options.name}, shot {number}: seconds is {shot['seconds']}, within its two fades of "
+                        f"{film['fade']} s; give more.")
+    return film
+
+
+def options_of(arguments):
+    parser = argparse.ArgumentParser(prog="make_film.py", description="Draws a film of tools/film.json.", exit_on_error=False)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("name", nargs="?", default="film")
+    parser.add_argument("--size", default="640x360")
+    parser.add_argument("--fps", type=int, default=24)
+    parser.add_argument("--shutter", type=float, default=180.0)
+    parser.add_argument("--out", type=pathlib.Path)
+    parser.add_argument("--edit", type=pathlib.Path, default=ROOT / "tools" / "film.json")
+    parser.add_argument("--webp", type=pathlib.Path, help="a small film for a page too: 480 px wide, 12 frames a second")
+    parser.add_argument("--frames-only", action="store_true", help="draw, and do not cut")
+    try:
+        options = parser.parse_args(arguments)
+    except argparse.ArgumentError as error:
+        raise Fault(f"{error}.") from error
+    options.out = options.out or ROOT / "out" / options.name
+    if not re.fullmatch(r"\d{2,4}x\d{2,4}", options.size) or any(int(side) % 2 for side in options.size.split("x")):
+        raise Fault(f"--size is {options.size}; give it as 1920x1080, with even sides.")
+    if not 1 <= options.fps <= 240:
+        raise Fault(f"--fps is {options.fps}; give 1 to 240.")
+    if not options.frames_only and shutil.which("ffmpeg") is None:
+        raise Fault("ffmpeg is not installed; install Debian's package ffmpeg, or draw alone by --frames-only.")
+    return options
+
+
+def main():
+    options = options_of(sys.argv[1:])
+    film = read_edit(options)
+    shots = [Shot(number, shot, options) for number, shot in enumerate(film["shots"], 1)]
+    (options.out / "scenes").mkdir(parents=True, exist_ok=True)
+    mirror(options.out / "scenes")
+    program_hash = hash_of(options.program)
+    for shot in shots:
+        shot.draw(program_hash)
+    if not options.frames_only:
+        cut(shots, film["fade"], options)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Fault as fault:
+        print(f"make_film.py: {fault}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("make_film.py: stopped; the same command goes on from here.", file=sys.stderr)
+        sys.exit(1)
