@@ -57,7 +57,7 @@ std::vector<CoatPatchBlock> skin_patches(std::span<const CoatVertexBlock> vertic
         area += 0.5 * static_cast<double>(glm::length(
                           glm::cross(position_of(vertices[indices[n + 1]]) - a, position_of(vertices[indices[n + 2]]) - a)));
     }
-    const float apart = std::max(length / 2.0f, std::sqrt(static_cast<float>(area) / k_most_patches));
+    const float apart = std::max(0.4f * length, std::sqrt(static_cast<float>(area) / k_most_patches));
     std::vector<CoatPatchBlock> patches;
     std::unordered_map<std::uint64_t, Kept> in_cell; // fine meshes: the largest of a cell stands for those beside it
     for (std::size_t n = 0; n < indices.size(); n += 3) {

@@ -1,6 +1,6 @@
 // What keeps a coat's strands outside of the body that wears it: patches of its skin in cells of space, and two passes a frame.
 //
-// At creation the whole mesh is cut into patches about half of the strands' length apart. Where bones move the mesh every vertex
+// At creation the whole mesh is cut into patches about 0.4 of the strands' length apart. Where bones move the mesh every vertex
 // of the coat is looked at in each frame. A rigid mesh is looked at once: only vertices whose strands have skin rising before them
 // are named, on a ball or a plane none, and then there are no passes. In a frame: patches go where the pose has them, then each
 // named vertex takes back its lean until its strand is outside (vegetation/shaders/numerics/coat_room.glsl).
@@ -26,7 +26,7 @@ struct CoatPatchBlock {
 };
 static_assert(sizeof(CoatPatchBlock) == 32);
 
-/// The skin as patches half of `length` [m] apart, at most some hundred thousand of any mesh.
+/// The skin as patches 0.4 of `length` [m] apart, at most some hundred thousand of any mesh.
 [[nodiscard]] std::vector<CoatPatchBlock> skin_patches(std::span<const CoatVertexBlock> vertices,
                                                        std::span<const std::uint32_t> indices, float length);
 /// Those of the first `drawn` vertices whose strands of `length` [m] may meet a patch; all of them where bones move a vertex.
