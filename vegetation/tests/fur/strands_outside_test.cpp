@@ -16,9 +16,9 @@ namespace {
 
 constexpr double k_step = 1.0 / 60.0; // [s]
 
-/// Of all strands, fractions whose places lie in the body.
+/// Of all strands: fractions whose places lie in the body, and what of their lean and length is taken, in the mean.
 struct Inside {
-    double tips = 0.0, middles = 0.0;
+    double tips = 0.0, middles = 0.0, lean = 0.0, length = 0.0;
 };
 
 /// Strands over the whole coat, as many a square metre everywhere.
@@ -65,6 +65,11 @@ Inside inside_of(const Coat& coat, const Mesh& mesh, int strands) {
         };
         made.tips += inside(at(map * reach)) / static_cast<double>(strands);
         made.middles += inside(at(0.5 * map * reach)) / static_cast<double>(strands);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const CoatSkinBlock& skin = skins[indices[3 * triangle + k]];
+            made.lean += weight[k] * static_cast<double>(skin.own.w) / strands;
+            made.length += weight[k] * static_cast<double>(skin.load.w) / strands;
+        }
         ++grown;
     }
     return made;
@@ -91,6 +96,9 @@ double worst_tips(const Subject& of, const std::string& name, float speed, bool 
         const std::string row = "shells/outside/" + name + "/" + std::to_string(static_cast<int>(speed)) + "_m_s/pose_" +
                                 std::to_string(pose++) + (avoids ? "" : "/not_asked");
         windrow::test::figure(row + "/middles", found.middles);
+        // A coat that stood everywhere, or had no strands, would be outside too.
+        WINDROW_EXPECT_FIGURE(row + "/lean_taken", found.lean, 0.4);
+        WINDROW_EXPECT_FIGURE(row + "/length_taken", found.length, 0.03);
         worst = std::max(worst, windrow::test::figure(row + "/tips", found.tips));
     }
     return worst;
