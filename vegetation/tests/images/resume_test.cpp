@@ -13,9 +13,9 @@ class Resume : public testing::TestWithParam<const char*> {};
 TEST_P(Resume, GivesTheFrameOfAnUnbrokenFilm) {
     auto scene = test::read_scene(GetParam());
     ASSERT_TRUE(scene) << scene.error();
-    const ShootSettings settings{.size = glm::ivec2(96, 54), .frames_per_second = 24.0, .warm_up = 0.1, .shutter_deg = 180.0f};
-    scene->air.duration = 0.375;
-    const auto all = test::last_picture(*scene, settings, 10);
+    const ShootSettings settings{.size = glm::ivec2(96, 54), .frames_per_second = 24.0, .warm_up = 0.0, .shutter_deg = 180.0f};
+    scene->air.duration = 0.25;
+    const auto all = test::last_picture(*scene, settings, 7);
     const auto resumed = test::last_picture(*scene, settings, 3);
     ASSERT_TRUE(all) << all.error();
     ASSERT_TRUE(resumed) << resumed.error();

@@ -29,8 +29,9 @@ PROGRAM = ""
 SCENES = REFERENCES = LEFT = pathlib.Path()
 SCENE = None
 SIZE = (128, 72)
-# Half a second, so that fans blow, walkers have left a trail and coats have come along; few steps of the wind before it.
-MOMENT = ("--warm-up", 0.2, "--fps", 10, "--from", 0.5)
+# A moment at which fans blow, walkers have moved and coats have come along, after few steps of the wind: most of the time of a large
+# box's picture.
+MOMENT = ("--warm-up", 0.1, "--fps", 10, "--from", 0.3)
 # As in golden_test.cpp, on one device: the software one. One machine draws the same bytes each time, with 1 or 2 threads.
 # Instructions of a processor without AVX are a mean of 3.6e-4 (looks/wind); other compilers round otherwise as well, hence fifty
 # times that. A sun turned by 3 degrees is 0.98 (looks/low) to 1.9 (looks/wind), a wind turned by 10 degrees 0.32 (a breath of
