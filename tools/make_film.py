@@ -54,6 +54,9 @@ def scene_of(shot):
         raise Fault(f"{shot['scene']} is no scene of {SCENES}; correct the edit list.")
     scene = json.loads(file.read_text(encoding="utf-8"))
     scene.update(copy.deepcopy(shot.get("set", {})))
+    if shot["from"] + shot["seconds"] > scene.get("duration", 10):
+        raise Fault(f"{shot['scene']} ends at {scene.get('duration', 10)} s, before its shot from {shot['from']} s on for {shot['seconds']} s; "
+                    'shorten the shot, or give "set": {"duration": ...}.')
     camera = scene.get("picture", {}).get("camera", {})
     for key, (place, path) in {"camera": ("position", "path"), "target": ("target", "target_path")}.items():
         if key in shot:
@@ -206,6 +209,8 @@ def main():
     (options.out / "scenes").mkdir(parents=True, exist_ok=True)
     mirror(options.out / "scenes")
     program_hash = hash_of(options.program)
+    for shot in film["shots"]:
+        scene_of(shot)  # a fault of the last shot is found before the first is drawn
     for shot in shots:
         shot.draw(program_hash)
     if not options.frames_only:
