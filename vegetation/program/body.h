@@ -105,6 +105,7 @@ struct BodyMotion {
     double spin_hz = 0.0;
     Sway sway{};
     Hop hop{};
+    bool wake = true;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -113,6 +114,9 @@ struct BodyMotion {
             Setting("spin_hz", &BodyMotion::spin_hz, {-100.0, 100.0, "Hz"}, "Turns about the vertical a second."),
             Setting("sway", &BodyMotion::sway, "To and fro, by a sine."),
             Setting("hop", &BodyMotion::hop, "Jumps on a parabola, one after another."),
+            Setting("wake", &BodyMotion::wake,
+                    "Whether a dressed body on a path carries the air along, as a wake of its size. A wake or an obstacle of the "
+                    "scene on the same path replaces this."),
         };
     }
 };

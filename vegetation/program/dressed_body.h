@@ -6,6 +6,7 @@
 #pragma once
 
 #include "vegetation/fur/coat.h"
+#include "vegetation/program/body_wakes.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/renderer.h"
 
@@ -47,6 +48,8 @@ class DressedBodies {
     /// What keeps up in frames that are not drawn.
     void append_to(std::vector<render::Drawable*>& drawables) const;
     [[nodiscard]] bool empty() const { return dressed_.empty(); }
+    /// Boxes of all bodies' meshes, in the scene's order.
+    [[nodiscard]] std::vector<BodyBox> boxes() const;
     /// Coats of all bodies, in the scene's order.
     [[nodiscard]] std::vector<const fur::Coat*> coats() const;
 

@@ -172,6 +172,7 @@ struct Walker {
     float weight = windrow::GroundWalker{}.weight;
     std::vector<Jump> airborne{};
     bool figure = true;
+    bool wake = true;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -181,6 +182,10 @@ struct Walker {
             Setting("airborne", &Walker::airborne, {0.0, 1024.0},
                     "Times at which its feet leave the ground, on a parabola as a jump does."),
             Setting("figure", &Walker::figure, "Whether someone in a cloak is drawn there."),
+            Setting(
+                "wake", &Walker::wake,
+                "Whether it carries the air along where it moves, as a wake of its size; without a figure a ball of its radius. "
+                "A wake or an obstacle of the scene on the same path replaces this."),
         };
     }
 

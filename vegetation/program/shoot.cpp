@@ -103,6 +103,7 @@ Result<void> Shoot::make() {
         return Error{dressed.error()};
     dressed_ = *std::move(dressed);
     dressed_->add_to(*renderer_);
+    wakes_ = BodyWakes(scene_, dressed_->boxes());
     if (auto stand = make_bodies(targets); !stand)
         return stand;
     if (auto stand = make_obstacles(targets); !stand)
@@ -324,7 +325,9 @@ Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
 }
 
 Result<void> Shoot::place_motion(double start, double end) {
-    return motion_.place(*wind_, start, end);
+    if (auto placed = motion_.place(*wind_, start, end); !placed)
+        return placed;
+    return wakes_.place(wind_->motors(), start, end);
 }
 
 Result<void> Shoot::record_air(const engine::Frame& frame, double dt) {

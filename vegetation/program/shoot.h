@@ -117,6 +117,7 @@ class Shoot {
     std::unique_ptr<engine::Device> device_{};
     std::optional<windrow::vulkan::Wind> wind_{};
     windrow::scene::SceneMotion motion_;
+    BodyWakes wakes_{};
     std::optional<windrow::vulkan::GroundMemory> ground_{};
     std::unique_ptr<render::Renderer> renderer_{};
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};

@@ -90,7 +90,7 @@ inline constexpr const char* k_specimen = R"({
                    "scatter": {"count": 5, "low": [-20, -30], "high": [40, 50], "apart": 3, "groves": 0.75, "grove_length": 30,
                                "size_spread": 0.125, "seed": 4, "clear": [{"centre": [3, 4], "radius": 6}]}}],
         "walkers": [
-            {"path": "eye", "radius": 0.4, "weight": 0.8, "figure": false, "airborne": [{"from": 1.5, "until": 2, "height": 0.6}]},
+            {"path": "eye", "radius": 0.4, "weight": 0.8, "figure": false, "wake": false, "airborne": [{"from": 1.5, "until": 2, "height": 0.6}]},
             {"path": "sight"}
         ],
         "fans": [{"position": [2, 1.5, -3], "direction": [0.5, 0.25, -1], "radius": 0.6, "turns_hz": 2.5}],
@@ -99,7 +99,7 @@ inline constexpr const char* k_specimen = R"({
              "mesh": {"file": {"name": "wolf.obj", "up": "z", "size": 1.5, "size_of": "height", "yaw_deg": 90, "max_triangles": 4000}},
              "place": {"position": [1, 2, -3], "yaw_deg": 10, "pitch_deg": -5, "roll_deg": 15, "scale": 1.25, "above_ground": true},
              "motion": {"path": "eye", "faces": false, "spin_hz": 0.25, "sway": {"by": [0.5, 0.25, -1], "turn_deg": 20, "nod_deg": 8, "hz": 1.5, "phase": 0.25},
-                        "hop": {"height": 0.4, "hz": 2, "rest": 0.5}},
+                        "hop": {"height": 0.4, "hz": 2, "rest": 0.5}, "wake": false},
              "skeleton": {"kind": "own", "pace": 1.5, "phase": 2, "bones": [
                  {"name": "hip", "head": [0, 1, 0.5], "tail": [0, 1, -0.5], "radius": 0.3, "sway": [0, 0.05, 0], "sway_hz": 2.5, "sway_phase": 0.75,
                   "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
