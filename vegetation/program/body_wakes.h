@@ -24,7 +24,7 @@
 
 namespace windrow::vegetation::program {
 
-/// [m] Width and height of a drawn person (render::walker_solid), seen from the front.
+/// [m] Width and height of a drawn person (render/person.h), seen from the front.
 inline constexpr glm::vec2 k_walker_front{0.5f, 1.75f};
 
 /// [m] The box of a body's mesh, before its place and scale.

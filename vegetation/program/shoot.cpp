@@ -51,12 +51,13 @@ Result<void> Shoot::make() {
         air.gusts = {};
         air.cells = glm::ivec3(8); // something to sample
     }
-    auto wind = windrow::vulkan::Wind::create(
-        device_->host(), air,
-        {.frames_in_flight = engine::k_frames_in_flight,
-         .gusts = picture.sampling.detail > 0.0f,
-         .timestamps = settings_.pass_times,
-         .queries = settings_.show == Show::streaks ? windrow::vulkan::ReadBack::cells : windrow::vulkan::ReadBack::none});
+    const bool asked = settings_.show == Show::streaks || Figures::any(scene_); // by the host, for streaks and cloaks
+    auto wind =
+        windrow::vulkan::Wind::create(device_->host(), air,
+                                      {.frames_in_flight = engine::k_frames_in_flight,
+                                       .gusts = picture.sampling.detail > 0.0f,
+                                       .timestamps = settings_.pass_times,
+                                       .queries = asked ? windrow::vulkan::ReadBack::cells : windrow::vulkan::ReadBack::none});
     if (!wind)
         return Error{"$.air: " + wind.error()};
     wind_ = *std::move(wind);
@@ -104,6 +105,11 @@ Result<void> Shoot::make() {
     dressed_ = *std::move(dressed);
     dressed_->add_to(*renderer_);
     wakes_ = BodyWakes(scene_, dressed_->boxes());
+    auto figures = Figures::create(*device_, targets, scene_, anchor_);
+    if (!figures)
+        return Error{figures.error()};
+    figures_ = *std::move(figures);
+    figures_->add_to(*renderer_);
     if (auto stand = make_bodies(targets); !stand)
         return stand;
     if (auto stand = make_obstacles(targets); !stand)
@@ -161,9 +167,6 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
 
 Result<void> Shoot::make_bodies(const render::DrawTargets& targets) {
     std::vector<render::Solid> shapes;
-    for (const Walker& walker : scene_.picture.walkers)
-        if (walker.figure)
-            shapes.push_back(render::walker_solid());
     for (const Fan& fan : scene_.picture.fans) {
         const double above = fan.position.y - scene_.picture.ground.height(fan.position.x, fan.position.z);
         shapes.push_back(render::fan_stand(static_cast<float>(fan.radius), static_cast<float>(std::max(above, fan.radius))));
@@ -180,6 +183,7 @@ Result<void> Shoot::make_bodies(const render::DrawTargets& targets) {
 }
 
 void Shoot::place_bodies(double time) {
+    figures_->place();
     if (!bodies_)
         return;
     std::size_t body = 0;
@@ -187,19 +191,6 @@ void Shoot::place_bodies(double time) {
         const glm::mat4 moved = glm::translate(glm::mat4(1.0f), glm::vec3(place - anchor_));
         return glm::rotate(moved, static_cast<float>(yaw), glm::vec3(0.0f, 1.0f, 0.0f));
     };
-    for (const Walker& walker : scene_.picture.walkers) {
-        if (!walker.figure)
-            continue;
-        // Facing where it goes, or went: over a quarter of a second, so that a corner of the path is no snap.
-        const windrow::scene::MotionPath& path = scene_.air.paths[walker.path].path;
-        glm::dvec3 place = path.at(time);
-        const glm::dvec3 way = path.at(time + 0.125) - path.at(time - 0.125);
-        place.y = scene_.picture.ground.height(place.x, place.z) + static_cast<double>(walker.foot_height(time));
-        const double speed = glm::length(glm::dvec2(way.x, way.z)) / 0.25;
-        const double bob = 0.02 * std::sin(4.0 * glm::pi<double>() * 0.9 * time) * std::min(speed, 1.0); // two steps a second
-        place.y += bob;
-        bodies_->place(body++, at(place, std::atan2(way.x, way.z)));
-    }
     for (const Fan& fan : scene_.picture.fans) {
         const glm::mat4 stands = at(fan.position, std::atan2(fan.direction.x, fan.direction.z));
         const double turns = fan.turns_hz * time;
@@ -297,6 +288,10 @@ Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
     return {};
 }
 
+void Shoot::move_figures(double time, double seconds) {
+    figures_->move(time, seconds, [&](glm::dvec3 place) { return settings_.wind ? wind_->velocity(place) : glm::vec3(0.0f); });
+}
+
 void Shoot::move_streaks(double time, double seconds) {
     if (!streaks_)
         return;
@@ -353,6 +348,7 @@ void Shoot::set_time_step(double seconds) {
 
 Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
     move_streaks(time, seconds);
+    move_figures(time, seconds);
     if (trees_.empty() && grass_.empty() && dressed_->empty())
         return {};
     set_time_step(seconds);
@@ -411,6 +407,7 @@ Result<void> Shoot::draw(bool copied) {
     auto done = blow(frame, start_of(frame_), now);
     if (done) {
         renderer_->set_time(now);
+        move_figures(now, now - start_of(frame_));
         place_bodies(now);
         place_obstacles(now);
         move_streaks(now, now - start_of(frame_));

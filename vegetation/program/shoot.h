@@ -15,6 +15,7 @@
 #include "fluid/vulkan/wind.h"
 #include "scene/scene_motion.h"
 #include "vegetation/program/dressed_body.h"
+#include "vegetation/program/figures.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/bodies.h"
 #include "vegetation/render/grass_layer.h"
@@ -90,6 +91,7 @@ class Shoot {
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
     windrow::Result<void> make_bodies(const render::DrawTargets& targets);
     void place_bodies(double time);
+    void move_figures(double time, double seconds);
     windrow::Result<void> make_obstacles(const render::DrawTargets& targets);
     void place_obstacles(double time);
     /// What moves, put where it is in the time [s] from one to the other.
@@ -123,7 +125,8 @@ class Shoot {
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
     std::optional<DressedBodies> dressed_{};
-    std::unique_ptr<render::Bodies> bodies_{};
+    std::optional<Figures> figures_{};
+    std::unique_ptr<render::Bodies> bodies_{};    ///< fans
     std::unique_ptr<render::Bodies> obstacles_{}; ///< those at rest are the first body
     std::vector<std::size_t> moving_{};           ///< indices in Scene::obstacles of the other bodies
     std::unique_ptr<render::WindArrows> arrows_{};

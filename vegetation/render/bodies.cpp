@@ -23,13 +23,16 @@ Result<std::unique_ptr<Bodies>> Bodies::create(engine::Device& device, const Dra
     return engine::guarded([&] { return std::unique_ptr<Bodies>(new Bodies(device, targets, shapes)); });
 }
 
-Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes)
-    : objects_(device), places_(shapes.size()), placed_(shapes.size(), false) {
+Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes) : objects_(device) {
     Solid all;
     for (const Solid& shape : shapes) {
-        ranges_.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(shape.size())});
+        ranges_.push_back({.first = static_cast<std::uint32_t>(all.size()),
+                           .count = static_cast<std::uint32_t>(shape.size()),
+                           .first_place = static_cast<std::uint32_t>(places_.size())});
         all.insert(all.end(), shape.begin(), shape.end());
+        places_.resize(places_.size() + parts_of(shape));
     }
+    placed_.resize(places_.size(), false);
     const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);
     const std::array layouts{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects_, layouts);
@@ -47,11 +50,12 @@ Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<con
     }
 }
 
-void Bodies::place(std::size_t body, const glm::mat4& placed) {
-    Place& place = places_[body];
-    place.before = placed_[body] ? place.now : placed;
+void Bodies::place(std::size_t body, std::size_t part, const glm::mat4& placed) {
+    const std::size_t index = ranges_[body].first_place + part;
+    Place& place = places_[index];
+    place.before = placed_[index] ? place.now : placed;
     place.now = placed;
-    placed_[body] = true;
+    placed_[index] = true;
 }
 
 Result<void> Bodies::prepare(const PassContext& context) {
@@ -66,8 +70,8 @@ void Bodies::draw(const PassContext& context) {
     if (shadow)
         vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
     vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, shadow ? shadow_ : colour_);
-    for (std::size_t body = 0; body < ranges_.size(); ++body)
-        vkCmdDraw(context.commands, ranges_[body].count, 1, ranges_[body].first, static_cast<std::uint32_t>(body));
+    for (const Indices& body : ranges_)
+        vkCmdDraw(context.commands, body.count, 1, body.first, body.first_place);
 }
 
 } // namespace windrow::vegetation::render

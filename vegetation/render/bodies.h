@@ -1,6 +1,6 @@
-// Moving solid bodies, such as a walker or a fan. Each has a shape and, per frame, a placement.
+// Moving solid bodies, such as a person or a fan. Each has a shape and, per frame, a placement of each of its parts.
 //
-//     auto bodies = render::Bodies::create(device, renderer->draw_targets(), std::array{render::walker_solid()});
+//     auto bodies = render::Bodies::create(device, renderer->draw_targets(), std::array{render::fan_blades(0.8f)});
 //     renderer->add(**bodies);
 //     (*bodies)->place(0, glm::translate(glm::mat4(1.0f), feet));      // before the renderer's recording, each frame
 #pragma once
@@ -21,7 +21,9 @@ class Bodies final : public Drawable {
 
     /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors are taken
     /// from the place before.
-    void place(std::size_t body, const glm::mat4& placed);
+    void place(std::size_t body, const glm::mat4& placed) { place(body, 0, placed); }
+    /// The same for one part of the shape (SolidVertex::position).
+    void place(std::size_t body, std::size_t part, const glm::mat4& placed);
     Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
 
@@ -32,13 +34,14 @@ class Bodies final : public Drawable {
     };
     struct Indices {
         std::uint32_t first = 0, count = 0;
+        std::uint32_t first_place = 0;
     };
 
     Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
 
     engine::Objects objects_;
     std::vector<Indices> ranges_{};
-    std::vector<Place> places_{};
+    std::vector<Place> places_{}; ///< of all parts, body by body
     std::vector<bool> placed_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;

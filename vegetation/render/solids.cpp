@@ -1,5 +1,6 @@
 #include "vegetation/render/solids.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,8 +11,6 @@
 namespace windrow::vegetation::render {
 namespace {
 
-constexpr glm::vec3 k_cloak{0.150f, 0.042f, 0.026f};
-constexpr glm::vec3 k_lining{0.060f, 0.050f, 0.045f};
 constexpr glm::vec3 k_metal{0.230f, 0.225f, 0.215f};
 constexpr glm::vec3 k_blade{0.420f, 0.400f, 0.350f};
 
@@ -90,31 +89,15 @@ Solid ring(float radius, float tube, int sides, glm::vec3 colour) {
 void add(Solid& whole, const Solid& part, const glm::mat4& placed) {
     const glm::mat3 turned = glm::transpose(glm::inverse(glm::mat3(placed)));
     for (const SolidVertex& vertex : part)
-        whole.push_back({glm::vec4(glm::vec3(placed * glm::vec4(glm::vec3(vertex.position), 1.0f)), 0.0f),
+        whole.push_back({glm::vec4(glm::vec3(placed * glm::vec4(glm::vec3(vertex.position), 1.0f)), vertex.position.w),
                          glm::vec4(glm::normalize(turned * glm::vec3(vertex.normal)), 0.0f), vertex.colour});
 }
 
-Solid walker_solid(float stride) {
-    constexpr std::array cloak{glm::vec2(0.34f, 0.26f),  glm::vec2(0.30f, 0.45f),   glm::vec2(0.255f, 0.80f),
-                               glm::vec2(0.215f, 1.10f), glm::vec2(0.225f, 1.28f),  glm::vec2(0.205f, 1.38f),
-                               glm::vec2(0.115f, 1.46f), glm::vec2(0.120f, 1.53f),  glm::vec2(0.132f, 1.61f),
-                               glm::vec2(0.115f, 1.69f), glm::vec2(0.060f, 1.745f), glm::vec2(0.0f, 1.76f)};
-    constexpr std::array leg{glm::vec2(0.055f, 0.0f), glm::vec2(0.06f, 0.25f), glm::vec2(0.07f, 0.55f)};
-    Solid solid = lathe(cloak, 20, k_cloak);
-    for (SolidVertex& vertex : solid) { // leaning into the way; shoulders are wider than deep
-        vertex.position.x *= 1.12f;
-        vertex.position.z = 0.86f * vertex.position.z + 0.05f * vertex.position.y * vertex.position.y;
-    }
-    Solid face = lathe(std::array{glm::vec2(0.0f, -0.095f), glm::vec2(0.07f, -0.06f), glm::vec2(0.085f, 0.0f),
-                                  glm::vec2(0.07f, 0.06f), glm::vec2(0.0f, 0.095f)},
-                       12, k_lining);
-    add(solid, face, glm::translate(glm::mat4(1.0f), {0.0f, 1.59f, 0.175f}));
-    for (const float side : {-1.0f, 1.0f}) {
-        glm::mat4 placed = glm::translate(glm::mat4(1.0f), {0.09f * side, 0.5f, 0.0f});
-        placed = glm::rotate(placed, side * stride, {1.0f, 0.0f, 0.0f});
-        add(solid, lathe(leg, 8, k_lining), glm::translate(placed, {0.0f, -0.5f, 0.0f}));
-    }
-    return solid;
+std::size_t parts_of(const Solid& solid) {
+    float last = 0.0f;
+    for (const SolidVertex& vertex : solid)
+        last = std::max(last, vertex.position.w);
+    return static_cast<std::size_t>(last) + 1;
 }
 
 Solid fan_stand(float radius, float height) {

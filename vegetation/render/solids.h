@@ -1,4 +1,5 @@
 // Shapes of things that do not bend: lathed bodies, boxes and rings of triangles, for figures in a scene.
+// A body of several parts has one placement a part: limbs that move, or the points of a cloth.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -12,7 +13,7 @@ namespace windrow::vegetation::render {
 
 /// A corner of a triangle, as shaders have it (std430).
 struct SolidVertex {
-    glm::vec4 position{0.0f}; ///< xyz [m], w 0
+    glm::vec4 position{0.0f}; ///< xyz [m] in its part's own space; w the part, 0, 1, ... of the body
     glm::vec4 normal{0.0f};   ///< xyz unit vector, w 0
     glm::vec4 colour{0.0f};   ///< rgb linear albedo, w 0
 };
@@ -28,9 +29,9 @@ using Solid = std::vector<SolidVertex>;
 [[nodiscard]] Solid ring(float radius, float tube, int sides, glm::vec3 colour);
 /// Adds `part`, placed by a matrix without shear, to `whole`.
 void add(Solid& whole, const Solid& part, const glm::mat4& placed = glm::mat4(1.0f));
+/// Parts of a body: one more than the highest of its vertices.
+[[nodiscard]] std::size_t parts_of(const Solid& solid);
 
-/// Someone who walks, in a hooded cloak, 1.75 m, feet at the origin, facing +z. `stride` [rad] is how far the legs are apart.
-[[nodiscard]] Solid walker_solid(float stride = 0.35f);
 /// A fan that stands: hub at the origin, blowing along +z, down to the ground `height` [m] below. The blades apart, since they
 /// turn.
 [[nodiscard]] Solid fan_stand(float radius, float height);

@@ -5,7 +5,7 @@
 #include "frame.glsl"
 
 struct SolidVertex {
-    vec4 position;
+    vec4 position; // w: its part of the body, whose places follow one another
     vec4 normal;
     vec4 colour;
 };

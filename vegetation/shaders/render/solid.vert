@@ -11,7 +11,7 @@ layout(location = 4) out vec3 clip_before;
 
 void main() {
     SolidVertex vertex = solid_vertices[gl_VertexIndex];
-    SolidPlace place = solid_places[gl_InstanceIndex];
+    SolidPlace place = solid_places[gl_InstanceIndex + int(vertex.position.w)];
     position = (place.now * vec4(vertex.position.xyz, 1.0)).xyz;
     normal = mat3(place.now) * vertex.normal.xyz; // turned and moved alone
     albedo = vertex.colour.rgb;

@@ -88,7 +88,7 @@ TEST(StagedData, DrawsTheSamePictureToTheBit) {
                 {.validation = true, .on_message = [&](const std::string& text) { messages.push_back(text); }, .staged = staged});
             stage.grow(*grass::PlacementMask::create({9, 9}, scene.ground.heights.extent(), 1.0f), {});
             const auto body =
-                must(render::Bodies::create(*stage.device, stage.renderer->draw_targets(), std::array{render::walker_solid()}));
+                must(render::Bodies::create(*stage.device, stage.renderer->draw_targets(), std::array{render::fan_blades(0.8f)}));
             stage.renderer->add(*body);
             for (int n = 0; n < 4; ++n) {
                 glm::mat4 placed(1.0f);
