@@ -5,7 +5,12 @@
 #include "mesh.h"
 #include "skeleton.h"
 
+#include <array>
+#include <cstdint>
+
 namespace windrow::vegetation::fur {
+
+enum class BeastGait : std::uint8_t { walk, gallop };
 
 struct Beast {
     static constexpr const char* k_name = "beast";
@@ -26,8 +31,12 @@ struct Beast {
 /// Closed, normals from the flesh's slope; without a map of its own (has_uv is false, uv is a box projection).
 [[nodiscard]] Result<Mesh> beast_mesh(const Beast& beast = {});
 
-/// Bones that fit the mesh, in a walk of `hz` strides a second, 0 to 5: left hind, left fore, right hind, right fore, a quarter
-/// of a stride apart, as wolves set their feet. 0 stands still in mid-stride.
-[[nodiscard]] Result<Skeleton> beast_skeleton(const Beast& beast = {}, float hz = 0.8f);
+/// Bones that fit the mesh, in `hz` strides a second, 0 to 5; 0 stands still in mid-stride. Walk: left hind, left fore, right hind,
+/// right fore, a quarter of a stride apart, as wolves set their feet. Gallop: the hind feet, then the fore feet, each pair a tenth of a
+/// stride apart, the back bent and stretched once a stride, which is some 3 heights long.
+[[nodiscard]] Result<Skeleton> beast_skeleton(const Beast& beast = {}, float hz = 0.8f, BeastGait gait = BeastGait::walk);
 
 } // namespace windrow::vegetation::fur
+
+template <>
+inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::fur::BeastGait>{"walk", "gallop"};

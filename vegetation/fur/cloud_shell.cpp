@@ -18,7 +18,7 @@ CloudShellBlock block(const CloudShellSettings& settings, glm::dvec2 drift, doub
     cloud.form = {settings.cover, 1.0f / settings.size, settings.base, settings.billow};
     cloud.rim = {settings.half_size.x, settings.half_size.y, settings.fading, settings.round_rim ? 1.0f : 0.0f};
     cloud.drift = glm::vec4(glm::vec2(drift), static_cast<float>(evolved), settings.height);
-    cloud.kind = {static_cast<float>(settings.octaves), static_cast<float>(settings.seed), 0.0f, 0.0f};
+    cloud.kind = {static_cast<float>(settings.octaves), static_cast<float>(settings.seed), settings.soft, 0.0f};
     return cloud;
 }
 

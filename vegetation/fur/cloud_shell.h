@@ -14,6 +14,7 @@ struct CloudShellSettings {
     float size = 40.0f;
     float base = 0.25f;
     float billow = 0.3f;
+    float soft = 0.15f;
     int octaves = 4;
     int seed = 0;
     glm::vec2 half_size{100.0f};
@@ -30,6 +31,8 @@ struct CloudShellSettings {
                     "How far a heap hangs below its plane over how far it stands above: a flat base; 1 mirrors."),
             Setting("billow", &CloudShellSettings::billow, k_fraction_range,
                     "Strength of the finer noise in the form of the heaps."),
+            Setting("soft", &CloudShellSettings::soft, {.min = 0.0, .max = 1.0, .zero = "a hard edge"},
+                    "Depth of the edge over half of the cloud's height: light shines through it, and one sees into it."),
             Setting("octaves", &CloudShellSettings::octaves, {1.0, 8.0},
                     "Of the heaps' noise. Each costs four hashes a fragment."),
             Setting("seed", &CloudShellSettings::seed, {0.0, 1e6}, "Another number, another sky."),

@@ -125,6 +125,7 @@ enum class SkeletonKind : std::uint8_t { none, beast, horse, own };
 
 struct BodySkeleton {
     SkeletonKind kind = SkeletonKind::none;
+    fur::BeastGait gait = fur::BeastGait::walk;
     double pace = 1.0;
     double phase = 0.0;
     std::vector<fur::Bone> bones{};
@@ -132,6 +133,7 @@ struct BodySkeleton {
     static constexpr auto settings() {
         return std::tuple{
             Setting("kind", &BodySkeleton::kind, "Whose: none, those of the beast or of the horse, or the scene's own."),
+            Setting("gait", &BodySkeleton::gait, "Of the beast; 0.8 strides a second at a pace of 1."),
             Setting("pace", &BodySkeleton::pace, {0.0, 10.0}, "Speed factor of the motion: 1 as made, 0 keeps the first pose."),
             Setting("phase", &BodySkeleton::phase, {0.0, 1e3, "s"}, "By which the motion is ahead."),
             Setting("bones", &BodySkeleton::bones, {0.0, fur::k_max_bones}, "The scene's own, parents first."),

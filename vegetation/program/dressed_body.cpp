@@ -49,7 +49,7 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow:
         return model;
     case SkeletonKind::beast: {
         const auto* beast = std::get_if<fur::Beast>(&body.mesh);
-        auto bones = fur::beast_skeleton(beast != nullptr ? *beast : fur::Beast{});
+        auto bones = fur::beast_skeleton(beast != nullptr ? *beast : fur::Beast{}, 0.8f, body.skeleton.gait);
         if (!bones)
             return Error{bones.error()};
         model.skeleton = *std::move(bones);

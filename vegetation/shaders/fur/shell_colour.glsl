@@ -23,6 +23,23 @@ vec3 strand_outward(ShellHit hit, ShellFragment f) {
     return size > 1e-20 ? world / sqrt(size) : vec3(0.0);
 }
 
+// `n`: the layer's normal, away from the cloud's plane.
+vec3 cloud_radiance(ShellSurface s, ShellHit hit, ShellFragment f, vec3 n, vec3 position) {
+    vec3 to_sun = frame.sky.sun.xyz;
+    vec3 up = hit.height < 0.0 ? -n : n;
+    float height = coat.cloud.drift.w;
+    // The sun's way across the plane, by what the pixel's neighbours have of both spaces.
+    vec2 pixels = in_plane(windrow_across(to_sun, up), f.p_dx, f.p_dy);
+    vec2 way = height * (pixels.x * f.dx.x + pixels.y * f.dy.x).xz;
+    vec2 place = hit.root.x.xz - coat.low.xz - 0.5 / max(coat.extent.xz, vec2(1e-9));
+    float depth = windrow_cloud_sunward(coat.cloud, place, hit.height, way, dot(to_sun, up));
+    float glow = windrow_cel(windrow_cloud_glow(depth, dot(f.sight, to_sun)), coat.cel.x, 0.2);
+    // Around a cloud is air: below it is lit by what other clouds and haze scatter, not by the meadow.
+    vec3 below = mix(frame.groundlight.rgb, frame.skylight.rgb, 0.7);
+    return s.albedo * (0.318309886 * frame.sunlight.rgb * sun_fraction(position, to_sun) * glow +
+                       s.open * windrow_around(mix(-up, up, 0.5 + 0.5 * hit.height), frame.skylight.rgb, below));
+}
+
 void main() {
     ShellFragment f = shell_fragment();
     ShellHit hit = f.hit;
@@ -46,15 +63,6 @@ void main() {
     vec3 n = normalize(normal);
     if (dot(n, to_eye) < 0.0 && coat.layers.z == 0)
         n = normalize(n + (0.02 - dot(n, to_eye)) * to_eye); // beyond the horizon: what is seen still turns to the eye
-    if (cloud) {
-        vec2 middle = coat.low.xz + 0.5 / max(coat.extent.xz, vec2(1e-9));
-        vec2 place_on = hit.root.x.xz - middle;
-        vec3 own = windrow_cloud_normal(coat.cloud, place_on, hit.height, windrow_cloud_heap(coat.cloud, place_on),
-                                        0.05 / coat.cloud.form.y);
-        vec3 up = hit.height < 0.0 ? -n : n; // the layer's normal; the sheet's own is up
-        vec2 aside = in_plane(vec3(own.x, 0.0, own.z), f.dx.x, f.dy.x);
-        n = normalize(aside.x * f.p_dx + aside.y * f.p_dy + own.y * up);
-    }
     vec3 outward = f.bald || cloud || hit.thin >= 1.0 ? vec3(0.0) : strand_outward(hit, f);
     vec3 own_normal = windrow_strand_blended(outward, n, t);
     if (coat.influence.w > 0.0) {
@@ -68,7 +76,7 @@ void main() {
 
     // The skin's own shade is looked up at the tips: the map has them too.
     vec3 above = cloud || f.bald ? at : at + coat.shells.form.x * (1.0 - abs(hit.height)) * n;
-    vec3 radiance = shell_radiance(surface, at, above, to_eye);
+    vec3 radiance = cloud ? cloud_radiance(surface, hit, f, n, above) : shell_radiance(surface, at, above, to_eye);
     if (f.bald)
         radiance += place.glow;
     colour = vec4(fogged(radiance, position), 1.0);

@@ -88,7 +88,7 @@ ShellFragment shell_fragment() {
         foot = position - h * coat.shells.form.x * n - leant * way;
     }
 #endif
-    f.hit = k_pattern == 3 ? cloud_hit(root, f.dx, f.dy, rest.w, ray) : shell_hit(root, f.dx, f.dy, h, map, ray, chance);
+    f.hit = k_pattern == 3 ? cloud_hit(root, f.dx, f.dy, rest.w, ray, pixel.y) : shell_hit(root, f.dx, f.dy, h, map, ray, chance);
     int samples = coat.drawing.y;
     float count = samples > 1 ? f.hit.coverage * float(samples) + mix(0.5, chance, f.hit.thin)
                               : f.hit.coverage + mix(0.5, chance, f.hit.thin);

@@ -28,9 +28,7 @@ vec3 shell_lit(ShellSurface s, vec3 beam, vec3 to_light, vec3 to_eye) {
 vec3 shell_radiance(ShellSurface s, vec3 position, vec3 above, vec3 to_eye) {
     vec3 to_sun = frame.sky.sun.xyz;
     vec3 radiance = shell_lit(s, frame.sunlight.rgb * sun_fraction(above, to_sun), to_sun, to_eye);
-    // Around a cloud is air: below it is lit by what other clouds and haze scatter, not by the meadow.
-    vec3 below = k_pattern == 3 ? mix(frame.groundlight.rgb, frame.skylight.rgb, 0.7) : frame.groundlight.rgb;
-    radiance += s.open * s.albedo * windrow_around(s.normal, frame.skylight.rgb, below);
+    radiance += s.open * s.albedo * windrow_around(s.normal, frame.skylight.rgb, frame.groundlight.rgb);
     for (int n = 0; n < coat.drawing.w; ++n) {
         vec3 offset = coat.lamps[n].place.xyz - position;
         float share = windrow_lamp_fraction(offset, coat.lamps[n].place.w);

@@ -170,8 +170,9 @@ ShellRoot root_on(ShellRay ray, ShellRoot root, ShellRoot dx, ShellRoot dy, floa
     return moved(root, dx, dy, pixels);
 }
 
-// A cloud in place of strands: the first of some places along the ray that lies within it. `h` -1 to 1.
-ShellHit cloud_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, ShellRay ray) {
+// A cloud in place of strands: what the ray meets between this layer and the next, `h` -1 to 1. A soft one covers as many samples
+// as its thickness here hides; `turn`, the pixel's own in each layer, chooses them.
+ShellHit cloud_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, ShellRay ray, uint turn) {
     ShellHit hit;
     hit.strand = windrow_strand_none();
     hit.map = 1.0;
@@ -180,19 +181,34 @@ ShellHit cloud_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, ShellRay
     vec2 middle = coat.low.xz + 0.5 / max(coat.extent.xz, vec2(1e-9));
     float pixel = coat.cloud.form.y * scale * sqrt(max(dot(dx.x, dx.x), dot(dy.x, dy.x)));
     int steps = coat.drawing.x;
+    bool soft = coat.cloud.kind.z > 0.0;
+    float depth = 0.0, stretch = ray.reach / float(steps + 1);
+    bool met = false;
     for (int n = 0; n <= steps; ++n) {
-        float s = ray.reach * float(n) / float(steps + 1);
+        float s = stretch * float(n);
         float here = height_on(ray, abs(h), s);
         ShellRoot at = root_on(ray, root, dx, dy, abs(h), s);
         vec2 place = at.x.xz - middle;
         float signed_h = h < 0.0 ? -here : here;
         float inside = windrow_cloud_inside(coat.cloud, place, signed_h, windrow_cloud_heap(coat.cloud, place));
-        hit.root = at;
-        hit.height = signed_h;
-        hit.on_way = s;
+        if (!met) {
+            hit.root = at;
+            hit.height = signed_h;
+            hit.on_way = s;
+        }
+        if (soft) {
+            met = met || inside > 0.0;
+            depth += windrow_cloud_thickness(coat.cloud.kind.z, inside, stretch / max(coat.shells.form.x, 1e-6));
+            continue;
+        }
         hit.coverage = n == 0 ? clamp(0.5 + inside / max(2.0 * pixel, 1e-4), 0.0, 1.0) : (inside > 0.0 ? 1.0 : 0.0);
         if (hit.coverage >= 0.5)
             break;
+    }
+    if (soft) {
+        hit.coverage = 1.0 - exp(-depth);
+        hit.thin = 1.0;
+        hit.strand.key.x = turn;
     }
     return hit;
 }

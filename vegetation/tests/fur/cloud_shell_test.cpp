@@ -97,34 +97,51 @@ TEST(CloudShell, DriftIsAShift) {
     }
 }
 
-TEST(CloudShell, NormalsFollowTheHeap) {
-    const CloudShellBlock cloud = block({.billow = 0.0f});
+// Of a slab, whose heap is 1 everywhere: 3 / soft for each half height that lies deeper than the edge.
+TEST(CloudShell, SunComesThroughWhatLiesTowardIt) {
+    const CloudShellSettings settings{.cover = 1.0f, .billow = 0.0f, .soft = 0.15f, .half_size = glm::vec2(1e4f), .fading = 1.0f};
+    const CloudShellBlock cloud = block(settings);
     Random random(5);
-    double unit = 0.0, worst = 1.0;
+    int slabs = 0;
+    double off = 0.0;
     for (int n = 0; n < 5'000; ++n) {
-        const glm::vec2 place(random.uniform(-50.0f, 50.0f), random.uniform(-50.0f, 50.0f));
-        const float heap = numerics::windrow_cloud_heap(cloud, place);
-        if (heap < 0.1f || heap > 0.9f)
+        const glm::vec2 place(random.uniform(-500.0f, 500.0f), random.uniform(-500.0f, 500.0f));
+        const auto upward = [&](float h) { return numerics::windrow_cloud_sunward(cloud, place, h, glm::vec2(0.0f), 1.0f); };
+        const float top = numerics::windrow_cloud_top(numerics::windrow_cloud_heap(cloud, place));
+        EXPECT_EQ(upward(1.0f), 0.0f) << "nothing above the cloud";
+        EXPECT_GE(upward(0.1f), upward(0.4f));
+        EXPECT_GE(upward(0.4f), upward(0.7f));
+        if (top < 0.95f)
             continue;
-        const glm::vec3 normal = numerics::windrow_cloud_normal(cloud, place, 0.5f, heap, 0.05f);
-        unit = std::max(unit, static_cast<double>(std::abs(glm::length(normal) - 1.0f)));
-        // Along the normal and a little out of the surface s = 0 one leaves the cloud: over 0.02 m the surface bends little.
-        const float top = numerics::windrow_cloud_top(heap);
-        const glm::vec3 out = 0.02f * normal;
-        const double fall =
-            static_cast<double>(inside(cloud, place, top) - inside(cloud, place + glm::vec2(out.x, out.z), top + out.y / 12.0f));
-        // The steepest fall there is: 0.02 m times |grad s|, where the slope's y is 1 / 12 m.
-        worst = std::min(worst, fall / (0.02 / (12.0 * static_cast<double>(normal.y))));
+        ++slabs;
+        off = std::max(off, std::abs(static_cast<double>(upward(0.0f)) / (3.0 * 0.75 / 0.15) - 1.0));
     }
-    WINDROW_EXPECT_FIGURE("shells/cloud/normal_length_off", unit, 1e-6);
-    EXPECT_GT(windrow::test::figure("shells/cloud/fall_along_normal_over_steepest", worst), 0.9);
+    EXPECT_GT(slabs, 100);
+    WINDROW_EXPECT_FIGURE("shells/cloud/slab_depth_off", off, 1e-4);
+}
+
+TEST(CloudShell, SoftEdgeBeginsAtNothingAndThinEdgesGlow) {
+    EXPECT_EQ(numerics::windrow_cloud_thickness(0.2f, 0.0f, 0.01f), 0.0f);
+    EXPECT_EQ(numerics::windrow_cloud_thickness(0.2f, -1.0f, 0.01f), 0.0f);
+    EXPECT_NEAR(numerics::windrow_cloud_thickness(0.2f, 0.1f, 0.01f), 3.0f * 0.01f / 0.2f * 0.5f, 1e-6f);
+    EXPECT_NEAR(numerics::windrow_cloud_thickness(0.2f, 0.7f, 0.01f), 3.0f * 0.01f / 0.2f, 1e-6f) << "beyond the edge";
+    float last = 2.0f;
+    for (const float depth : {0.0f, 0.5f, 2.0f, 8.0f, 30.0f}) {
+        const float glow = numerics::windrow_cloud_glow(depth, -1.0f);
+        EXPECT_LT(glow, last);
+        EXPECT_GT(glow, 0.0f);
+        last = glow;
+    }
+    EXPECT_GT(numerics::windrow_cloud_glow(0.2f, 1.0f), 1.2f) << "against the sun";
+    EXPECT_LT(numerics::windrow_cloud_glow(8.0f, 1.0f), 0.3f);
 }
 
 TEST(CloudShell, RejectsWhatIsOutOfRange) {
     EXPECT_TRUE(validate(CloudShellSettings{}));
     for (const float value : {std::nanf(""), INFINITY, -1e9f, 1e9f})
-        for (const auto field : {&CloudShellSettings::cover, &CloudShellSettings::size, &CloudShellSettings::base,
-                                 &CloudShellSettings::billow, &CloudShellSettings::fading, &CloudShellSettings::height}) {
+        for (const auto field :
+             {&CloudShellSettings::cover, &CloudShellSettings::size, &CloudShellSettings::base, &CloudShellSettings::billow,
+              &CloudShellSettings::soft, &CloudShellSettings::fading, &CloudShellSettings::height}) {
             CloudShellSettings settings;
             settings.*field = value;
             EXPECT_FALSE(validate(settings));

@@ -100,7 +100,7 @@ inline constexpr const char* k_specimen = R"({
              "place": {"position": [1, 2, -3], "yaw_deg": 10, "pitch_deg": -5, "roll_deg": 15, "scale": 1.25, "above_ground": true},
              "motion": {"path": "eye", "faces": false, "spin_hz": 0.25, "sway": {"by": [0.5, 0.25, -1], "turn_deg": 20, "nod_deg": 8, "hz": 1.5, "phase": 0.25},
                         "hop": {"height": 0.4, "hz": 2, "rest": 0.5}, "wake": false},
-             "skeleton": {"kind": "own", "pace": 1.5, "phase": 2, "bones": [
+             "skeleton": {"kind": "own", "gait": "gallop", "pace": 1.5, "phase": 2, "bones": [
                  {"name": "hip", "head": [0, 1, 0.5], "tail": [0, 1, -0.5], "radius": 0.3, "sway": [0, 0.05, 0], "sway_hz": 2.5, "sway_phase": 0.75,
                   "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
                  {"name": "tail", "parent": "hip", "head": [0, 1, -0.5], "tail": [0, 1, -1], "radius": 0.05, "sway": [0, 0, 0], "sway_hz": 1, "sway_phase": 0, "swings": []}]},
@@ -122,7 +122,7 @@ inline constexpr const char* k_specimen = R"({
                   "levels": {"min_shells": 6, "full_until": 8, "march": 2, "skip_empty": false, "outer_first": false, "depth_first": true, "one_draw_each": true,
                              "shadow_strands": false, "shadow_shells": 12},
                   "inertia": {"stages": 6, "lag": 0.5},
-                  "cloud": {"cover": 0.25, "size": 30, "base": 0.5, "billow": 0.5, "octaves": 3, "seed": 5, "fading": 20, "round_rim": false}}]},
+                  "cloud": {"cover": 0.25, "size": 30, "base": 0.5, "billow": 0.5, "soft": 0.25, "octaves": 3, "seed": 5, "fading": 20, "round_rim": false}}]},
             {"mesh": {"sheet": {"size": [2, 3], "columns": 4, "rows": 5, "wave": 0.125}}},
             {"mesh": {"globe_sphere": {"radius": 0.25, "sectors": 12, "stacks": 8}}},
             {"mesh": {"cube_sphere": {"radius": 0.75, "cells": 5}}},
