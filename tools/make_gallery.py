@@ -10,6 +10,8 @@ import pathlib
 import subprocess
 import sys
 
+import solved
+
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 SCENES = ROOT / "examples" / "scenes"
 PAGE = ROOT / "docs" / "gallery.md"
@@ -18,6 +20,12 @@ SIZE = "1280x720"
 
 # Heading; then scene, moment [s], what to look at.
 LOOKS = (
+    ("The fluid", (
+        ("wolf", 2.0, "the wheat behind the wolf bows after it; what its wake has not reached stands in a light wind."),
+        ("downwash", 2.0, "calm under the hub, then a ring that lies outward; farther off the mean wind leans the grass."),
+        ("fur/fan", 1.0, "fur lies flat on the side of the fan and stands behind; the lane in the lawn parts around the bunny."),
+        ("wheat", 3.0, "bands where the air dips into the wheat, and the still ones between."),
+    )),
     ("Fur", (
         ("fur/bunny", 0.6, "the fur trails behind its turn; bare inner ear, short face; no layers on the outline."),
         ("fur/horse", 0.6, "mane and tail stream with the wind, the legs' hair does not; hooves are bare."),
@@ -50,8 +58,12 @@ LOOKS = (
         ("fur/step4_sphere", 0.6, "along the normals, with the wind."),
     )),
     ("Meadows", tuple((f"looks/{name}", 1.5, text) for name, text in (
-        ("tall", "seed heads above clumps."), ("short", "a lawn with daisies."), ("violet", "violet and blue against a low sun."),
-        ("path", "leaves that hang over, and a path."), ("yellow", "straw with ears."), ("wind", "gusts run through."),
+        ("tall", "seed heads above clumps; the grass behind the runner leans after him."),
+        ("short", "a lawn with daisies; the lane before the fan is lighter, since its blades lie."),
+        ("violet", "violet and blue against a low sun; leaves lie away from the blast."),
+        ("path", "leaves that hang over; those beside the path turn after the runner."),
+        ("yellow", "straw with ears; it turns with the whirl, one way before it and the other behind."),
+        ("wind", "gusts run through, and stop behind the bales."),
         ("composition", "grass, straw, flowers, trees.")))),
 )
 
@@ -73,8 +85,10 @@ def draw(program, names):
     return failed
 
 
-def page():
-    lines = ["# Gallery", "", "Fur and meadows in the wind of the solver. Each picture is one scene file of `examples/scenes`. To draw all of them:",
+def text():
+    """The page, of all looks that have a picture."""
+    lines = ["# Gallery", "", "Fur and meadows in the wind. Each picture is one scene file of `examples/scenes`. Below each: what of its wind the",
+             "solver makes, and what is prescribed and crosses the box as it is outside. To draw all of them:",
              "", "    ./dev gallery", ""]
     for heading, looks in LOOKS:
         shown = [(look, text) for look, _, text in looks if (SMALL / f"{look.split('/')[-1]}.jpg").is_file()]
@@ -82,10 +96,10 @@ def page():
             lines += [f"## {heading}", "", "| picture | scene, and what to look at |", "|---|---|"]
         for look, text in shown:
             name = look.split("/")[-1]
-            about = json.loads((SCENES / f"{look}.json").read_text(encoding="utf-8")).get("description", "")
-            lines += [f"| ![{name}](gallery/{name}.jpg) | `{look}.json`: {about} Look at: {text} |"]
+            scene = json.loads((SCENES / f"{look}.json").read_text(encoding="utf-8"))
+            lines += [f"| ![{name}](gallery/{name}.jpg) | `{look}.json`: {scene.get('description', '')} Look at: {text}<br>*{solved.sentence(scene)}* |"]
         lines += [""] if shown else []
-    PAGE.write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
+    return "\n".join(lines[:-1]) + "\n"
 
 
 def main():
@@ -97,10 +111,14 @@ def main():
         print(f"make_gallery.py: {fault}", file=sys.stderr)
         sys.exit(2)
     failed = draw(sys.argv[1], names)
-    page()
+    PAGE.write_text(text(), encoding="utf-8")
+    false = list(solved.faults())
+    for fault in false:
+        print(f"make_gallery.py: {fault}", file=sys.stderr)
     print(f"{PAGE.relative_to(ROOT)}: {sum(1 for _ in SMALL.glob('*.jpg'))} pictures")
     if failed:
         print(f"make_gallery.py: not drawn: {', '.join(failed)}; see above.", file=sys.stderr)
+    if failed or false:
         sys.exit(1)
 
 
