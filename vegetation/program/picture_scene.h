@@ -181,7 +181,7 @@ struct Walker {
             Setting("weight", &Walker::weight, k_fraction_range, "0: presses nothing; 1: all of ground_memory.push."),
             Setting("airborne", &Walker::airborne, {0.0, 1024.0},
                     "Times at which its feet leave the ground, on a parabola as a jump does."),
-            Setting("figure", &Walker::figure, "Whether someone in a cloak is drawn there."),
+            Setting("figure", &Walker::figure, "Whether a person in a cloak is drawn there, who walks or runs at the speed of the path."),
             Setting(
                 "wake", &Walker::wake,
                 "Whether it carries the air along where it moves, as a wake of its size; without a figure a ball of its radius. "
