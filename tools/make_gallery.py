@@ -21,7 +21,7 @@ SIZE = "1280x720"
 # Heading; then scene, moment [s], what to look at.
 LOOKS = (
     ("The fluid", (
-        ("wolf", 2.0, "the wheat behind the wolf bows after it; what its wake has not reached stands in a light wind."),
+        ("wolf", 1.7, "the wheat behind the wolf bows after it; what its wake has not reached stands in a light wind."),
         ("downwash", 2.0, "calm under the hub, then a ring that lies outward; farther off the mean wind leans the grass."),
         ("fur/fan", 1.0, "fur lies flat on the side of the fan and stands behind; the lane in the lawn parts around the bunny."),
         ("wheat", 3.0, "bands where the air dips into the wheat, and the still ones between."),
