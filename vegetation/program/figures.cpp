@@ -92,7 +92,7 @@ windrow::Result<Figures> Figures::create(engine::Device& device, const render::D
     for (const Walker& walker : scene.picture.walkers)
         if (walker.figure)
             made.figures_.push_back({.walker = &walker, .gait = Gait(scene.air.paths[walker.path].path)});
-    auto bodies = render::Bodies::create(device, targets, std::vector<render::Solid>(made.figures_.size(), whole));
+    auto bodies = render::Bodies::create(device, targets, std::span(&whole, 1), made.figures_.size());
     if (!bodies)
         return windrow::Error{bodies.error()};
     made.bodies_ = *std::move(bodies);

@@ -18,19 +18,22 @@ constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFE
 
 } // namespace
 
-Result<std::unique_ptr<Bodies>> Bodies::create(engine::Device& device, const DrawTargets& targets,
-                                               std::span<const Solid> shapes) {
-    return engine::guarded([&] { return std::unique_ptr<Bodies>(new Bodies(device, targets, shapes)); });
+Result<std::unique_ptr<Bodies>> Bodies::create(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes,
+                                               std::size_t copies) {
+    return engine::guarded([&] { return std::unique_ptr<Bodies>(new Bodies(device, targets, shapes, copies)); });
 }
 
-Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes) : objects_(device) {
+Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes, std::size_t copies)
+    : objects_(device) {
     Solid all;
     for (const Solid& shape : shapes) {
-        ranges_.push_back({.first = static_cast<std::uint32_t>(all.size()),
-                           .count = static_cast<std::uint32_t>(shape.size()),
-                           .first_place = static_cast<std::uint32_t>(places_.size())});
+        for (std::size_t copy = 0; copy < copies; ++copy) {
+            ranges_.push_back({.first = static_cast<std::uint32_t>(all.size()),
+                               .count = static_cast<std::uint32_t>(shape.size()),
+                               .first_place = static_cast<std::uint32_t>(places_.size())});
+            places_.resize(places_.size() + parts_of(shape));
+        }
         all.insert(all.end(), shape.begin(), shape.end());
-        places_.resize(places_.size() + parts_of(shape));
     }
     placed_.resize(places_.size(), false);
     const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);

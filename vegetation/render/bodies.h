@@ -15,9 +15,9 @@ namespace windrow::vegetation::render {
 
 class Bodies final : public Drawable {
   public:
-    /// One shape a body, at least one triangle in all. They stand at the anchor until they are placed.
+    /// `copies` bodies of each shape, one after another; at least one triangle in all. They stand at the anchor until they are placed.
     [[nodiscard]] static Result<std::unique_ptr<Bodies>> create(engine::Device& device, const DrawTargets& targets,
-                                                                std::span<const Solid> shapes);
+                                                                std::span<const Solid> shapes, std::size_t copies = 1);
 
     /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors are taken
     /// from the place before.
@@ -37,7 +37,7 @@ class Bodies final : public Drawable {
         std::uint32_t first_place = 0;
     };
 
-    Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
+    Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes, std::size_t copies);
 
     engine::Objects objects_;
     std::vector<Indices> ranges_{};
