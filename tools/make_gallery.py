@@ -22,8 +22,8 @@ SIZE = "1280x720"
 LOOKS = (
     ("The fluid", (
         ("wolf", 1.7, "the wheat behind the wolf bows after it; what its wake has not reached stands in a light wind."),
-        ("downwash", 2.0, "calm under the hub, then a ring that lies outward; farther off the mean wind leans the grass."),
-        ("fur/fan", 1.0, "fur lies flat on the side of the fan and stands behind; the lane in the lawn parts around the bunny."),
+        ("downwash", 2.0, "calm under the hub, then a ring of grass that is laid outward; farther off the mean wind leans it."),
+        ("fur/fan", 1.0, "fur is pressed flat on the side of the fan and loose behind; the lane in the lawn parts around the bunny."),
         ("wheat", 3.0, "bands where the air dips into the wheat, and the still ones between."),
     )),
     ("Fur", (
@@ -59,12 +59,12 @@ LOOKS = (
     )),
     ("Meadows", tuple((f"looks/{name}", 1.5, text) for name, text in (
         ("tall", "seed heads above clumps; the grass behind the runner leans after him."),
-        ("short", "a lawn with daisies; the lane before the fan is lighter, since its blades lie."),
-        ("violet", "violet and blue against a low sun; leaves lie away from the blast."),
+        ("short", "a lawn with daisies; the lane before the fan, where blades and daisies are down."),
+        ("violet", "violet and blue against a low sun; leaves point away from the blast."),
         ("path", "leaves that hang over; those beside the path turn after the runner."),
         ("yellow", "straw with ears; it turns with the whirl, one way before it and the other behind."),
         ("wind", "gusts run through, and stop behind the bales."),
-        ("composition", "grass, straw, flowers, trees.")))),
+        ("composition", "grass, straw, flowers, trees; the tufts at the left turn about the whirl.")))),
 )
 
 

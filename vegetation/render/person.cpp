@@ -56,7 +56,7 @@ void add_part(Solid& whole, std::size_t part, Solid solid) {
 // From the hips' middle.
 Solid trunk() {
     Solid solid = scaled(
-        lathe(std::array{glm::vec2(0.150f, -0.16f), glm::vec2(0.168f, -0.15f), glm::vec2(0.166f, -0.04f),
+        lathe(std::array{glm::vec2(0.180f, -0.19f), glm::vec2(0.192f, -0.18f), glm::vec2(0.174f, -0.04f),
                          glm::vec2(0.150f, 0.06f), glm::vec2(0.135f, 0.16f), glm::vec2(0.150f, 0.28f), glm::vec2(0.176f, 0.40f),
                          glm::vec2(0.178f, 0.47f), glm::vec2(0.140f, 0.525f), glm::vec2(0.075f, 0.560f), glm::vec2(0.0f, 0.565f)},
               20, k_tunic),
