@@ -36,8 +36,9 @@ TEST(Gait, FootThatStandsDoesNotSlideAndSwingsTakeItOn) {
             int down = 0;
             for (int side = 0; side < 2; ++side) {
                 const Gait::Foot foot = gait.foot(side, time);
-                if (foot.planted && planted[side])
+                if (foot.planted && planted[side]) {
                     EXPECT_EQ(foot.way, last[side]) << "at " << time;
+                }
                 EXPECT_GE(foot.way, last[side] - 1e-12) << "no foot goes back";
                 // A step of 5 ms: the swing's fastest is 1.5 strides over what it lasts, well below 10 times the walker's speed.
                 EXPECT_LT(foot.way - last[side], 0.005 * 10.0 * gait.speed()) << "no foot jumps, at " << time;
