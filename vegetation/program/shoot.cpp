@@ -73,6 +73,7 @@ Result<void> Shoot::make() {
     scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
     if (!picture.grass.empty()) {
         scene.look = picture.grass.front().drawn.look;
+        scene.plants = picture.grass.front().drawn.field.blade;
         scene.ground.grown = picture.grass.front().mask.mask;
     }
     scene.wind.wind = air;

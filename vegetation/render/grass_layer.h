@@ -34,7 +34,7 @@ struct GrassLayerSettings {
             Setting("look", &GrassLayerSettings::look,
                     "Colours are linear albedo. What comes back and what shines through, together, are at most 0.6."),
             Setting("max_blades", &GrassLayerSettings::max_blades, {1024.0, 4194304.0},
-                    "Visible blades that are looked at once a frame, those of shadows counted apart, 96 bytes each; more take "
+                    "Visible blades that are looked at once a frame, those of shadows counted apart, 112 bytes each; more take "
                     "the bend of others."),
             Setting(
                 "shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
@@ -54,14 +54,15 @@ struct GrassLayerSettings {
 
 /// A visible blade, as shaders have it: FieldBlade of vegetation/shaders/render/field_blade.glsl (std430).
 struct FieldBlade {
-    glm::vec4 root{0.0f};  ///< xyz [m] from the anchor; w how dry its place is, 0 to 1
-    glm::vec4 bend{0.0f};  ///< [rad] x and z now, x and z a frame ago
-    glm::vec4 size{0.0f};  ///< [m] length of its class and half its width now; the same a frame ago
-    glm::uvec4 traits{0u}; ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
-    glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
-    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w fraction of its own light that comes through
+    glm::vec4 root{0.0f};   ///< xyz [m] from the anchor; w how dry its place is, 0 to 1
+    glm::vec4 bend{0.0f};   ///< [rad] x and z now, x and z a frame ago
+    glm::vec4 size{0.0f};   ///< [m] length of its class and half its width now; the same a frame ago
+    glm::uvec4 traits{0u};  ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
+    glm::vec4 looks{0.0f};  ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
+    glm::vec4 fog{0.0f};    ///< rgb light of the air before it, w fraction of its own light that comes through
+    glm::vec4 canopy{0.0f}; ///< [rad] xy lean of the grass as a whole, x and z; z how much of it is seen, 0 to 1; w 0
 };
-static_assert(sizeof(FieldBlade) == 96);
+static_assert(sizeof(FieldBlade) == 112);
 
 class GrassLayer final : public Drawable {
   public:

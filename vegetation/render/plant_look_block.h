@@ -15,7 +15,7 @@ struct PlantLookBlock {
     PlantLookBlock() = default;
     explicit PlantLookBlock(const PlantLook& look)
         : root(look.root, look.root_light), tip(look.tip, look.variation), dry(look.dry, look.gloss),
-          through(look.through, look.against_light), size(0.0f, look.even_from, look.dryness, 0.0f),
+          through(look.through, look.against_light), size(0.0f, look.even_from, look.dryness, look.wave),
           second(look.second, std::tan(look.fold)), head(look.head, look.head_from), soil(look.soil, 0.0f),
           shape(0.5f * look.head_width, look.self_shade, look.midrib, look.soften) {}
 };

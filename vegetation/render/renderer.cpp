@@ -98,7 +98,7 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
                                      .target = images_.toned_target()});
     if (settings.shutter_deg > 0.0f)
         blur_.emplace(objects_, images_, frame_layout_, settings.shutter_deg);
-    terrain_.emplace(objects_, draw_targets(), scene.ground, scene.look);
+    terrain_.emplace(objects_, draw_targets(), scene);
     drawables_.push_back(&*terrain_);
 
     const glm::vec3 corner(scene.ground.corner - settings.anchor);

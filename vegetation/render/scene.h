@@ -128,6 +128,7 @@ struct PlantLook {
     float head_width = 0.012f;
     glm::vec3 soil{0.044f, 0.046f, 0.020f};
     float even_from = 45.0f;
+    float wave = 0.6f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -158,6 +159,10 @@ struct PlantLook {
                     "Of the ground between the roots and where the first layer does not grow."),
             Setting("even_from", &PlantLook::even_from, {1e-3, 1e6, "m"},
                     "Distance at which normals are the ground's and the ground has the plants' colour."),
+            Setting(
+                "wave", &PlantLook::wave, {.min = 0.0, .max = 2.0, .zero = "still"},
+                "How far the wind turns the normal of what is seen afar, blades and ground alike: a meadow's waves. 0 samples "
+                "no wind for the ground."),
         };
     }
 };

@@ -18,11 +18,13 @@ engine::Buffer Terrain::heights(engine::Objects& objects, const Ground& ground) 
     return filled(objects, ground.heights.heights(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Ground& ground, const PlantLook& look)
-    : cells_x_(static_cast<std::uint32_t>(ground.heights.grid().corners.x - 1)),
-      cells_z_(static_cast<std::uint32_t>(ground.heights.grid().corners.y - 1)) {
+Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene)
+    : cells_x_(static_cast<std::uint32_t>(scene.ground.heights.grid().corners.x - 1)),
+      cells_z_(static_cast<std::uint32_t>(scene.ground.heights.grid().corners.y - 1)) {
+    const Ground& ground = scene.ground;
     const std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
-                              engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+                              engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                              engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
     const VkDescriptorSetLayout own = make_layout(objects, bindings);
     const std::array sets{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects, sets);
@@ -31,7 +33,7 @@ Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Gro
     shadow_ =
         make_pipeline(objects, {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
     make_sets(objects, own, bindings, std::span(&set_, 1));
-    const engine::Buffer block = filled_block(objects, PlantLookBlock(look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const engine::Buffer block = filled_block(objects, PlantLookBlock(scene.look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     point(objects.device(), set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
     const std::vector<float> everywhere(4, 1.0f);
     std::span<const float> grown = everywhere;
@@ -41,6 +43,9 @@ Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Gro
     }
     const engine::Buffer mask = filled(objects, grown, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     point(objects.device(), set_, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mask.buffer);
+    const auto blades = windrow::Blades::create(scene.plants); // was validated
+    const engine::Buffer grass = filled_block(objects, blades->block(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    point(objects.device(), set_, 2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, grass.buffer);
 }
 
 void Terrain::draw(const PassContext& context) {

@@ -1,4 +1,4 @@
-// The ground: a grid of heights as triangles, in light and in shadow.
+// The ground: a grid of heights as triangles, in light and in shadow, with the waves of grass that is too far to be drawn.
 #pragma once
 
 #include "drawable.h"
@@ -9,7 +9,7 @@ namespace windrow::vegetation::render {
 class Terrain final : public Drawable {
   public:
     /// Objects of the renderer's.
-    Terrain(engine::Objects& objects, const DrawTargets& targets, const Ground& ground, const PlantLook& look);
+    Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene);
 
     /// The heights, for set 0.
     [[nodiscard]] static engine::Buffer heights(engine::Objects& objects, const Ground& ground);

@@ -19,6 +19,7 @@ struct FieldBlade {
     uvec4 traits; // xy its hash; z bits of its morph, w of the morph a frame ago
     vec4 looks;   // chances, 0 to 1: xy its clump's, z its own; w size over its class's
     vec4 fog;     // rgb light of the air before it, w share of its own light that comes through
+    vec4 canopy;  // [rad] xy how grass leans here as a whole, x and z; z how much of it is seen, 0 near to 1 afar; w 0
 };
 
 layout(std140, set = 2, binding = 0) uniform Look { PlantLook look; };

@@ -15,6 +15,7 @@ layout(location = 4) out vec4 fog;     // rgb light of the air before it, w shar
 layout(location = 5) out vec4 to_eye;  // xyz [m], w gloss
 layout(location = 6) out vec3 clip_now;
 layout(location = 7) out vec3 clip_before;
+layout(location = 8) out vec3 canopy; // normal of the grass as a whole
 
 void main() {
     FieldBlade blade = field_blade();
@@ -47,7 +48,8 @@ void main() {
     float shows = clamp(blade.size.y * abs(facing) / max(3.0 * frame.eye_before.w * distance, 1e-6) - 0.3, 0.0, 1.0);
     albedo *= 1.0 + look.shape.z * shows * (row.y == 0.0 ? 1.0 : -0.3);
     leaf = vec4(albedo, row.y);
-    through = vec4(shines, look.shape.w + (0.85 - look.shape.w) * smoothstep(0.0, look.size.y, distance));
+    float even = look.shape.w + (0.85 - look.shape.w) * smoothstep(0.0, look.size.y, distance);
+    through = vec4(shines, mix(even, 1.0, blade.canopy.z)); // afar a wave goes on over the ground
     vec3 to_sun = frame.sky.sun.xyz;
     float mapped = 1.0 - smoothstep(0.8 * frame.shadow_texel.w, frame.shadow_texel.w, distance);
     float own_shade = mix(1.0, grass_self_shade(look, tall), 1.0 - 0.6 * mapped); // the near map has some of it
@@ -64,5 +66,7 @@ void main() {
         fog = vec4(shown * (0.35 + 0.65 * row.x) / frame.eye.w, 0.0);
     }
     float bent = 1.0 - now.tangent.y * now.tangent.y;
-    to_eye = vec4(frame.eye.xyz - now.position, row.x * (0.4 + 0.6 * bent));
+    float gloss = mix(row.x * (0.4 + 0.6 * bent), grass_canopy_gloss(look, blade.canopy.xy), blade.canopy.z);
+    to_eye = vec4(frame.eye.xyz - now.position, gloss);
+    canopy = grass_canopy_normal(look, vec3(0.0, 1.0, 0.0), blade.canopy.z * blade.canopy.xy);
 }

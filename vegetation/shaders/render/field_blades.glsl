@@ -4,6 +4,7 @@
 #define WINDROW_SET 1
 #include "shaders/coupling/windrow_plants.glsl"
 #include "air.glsl"
+#include "canopy_lean.glsl"
 #include "field_lists.glsl"
 
 #ifdef FIELD_SWINGS
@@ -55,6 +56,10 @@ FieldBlade blade_of(uvec2 told, int instance, uint at) {
     blade.traits = uvec4(now.hash, floatBitsToUint(vec2(now.morph, before.morph)));
     blade.looks = vec4(now.clump, now.looks.x, now.size);
     blade.fog = air_before(middle);
+    float afar = smoothstep(0.3, 1.0, length(now.root - frame.eye.xyz) / look.size.y);
+    blade.canopy = vec4(0.0);
+    if (afar > 0.0 && look.size.w > 0.0)
+        blade.canopy = vec4(canopy_lean(grass.blade, now.root, 1.0), afar, 0.0);
     return blade;
 }
 

@@ -29,6 +29,20 @@ float grass_self_shade(PlantLook look, float tall) { return exp(-look.shape.y * 
 // Share of the sky that they leave.
 float grass_open(PlantLook look, float tall) { return mix(look.root.w, 1.0, tall * (2.0 - tall)); }
 
+// Normal of a canopy afar whose tips lean by `bend` [rad]: leaves that lean turn their upper sides against the wind, most of all at
+// 45 degrees; upright and flat ones have no side. So a gust is a lighter or a darker wave, by where the sun is.
+vec3 grass_canopy_normal(PlantLook look, vec3 ground, vec2 bend) {
+    float tip = length(bend);
+    vec2 against = bend * (-0.5 * look.size.w * sin(2.0 * min(tip, 1.5707963)) / max(tip, 1e-6));
+    return normalize(ground + vec3(against.x, 0.0, against.y));
+}
+
+// Its gloss: leaves that lie show their length to the sky.
+float grass_canopy_gloss(PlantLook look, vec2 bend) {
+    float flat_share = sin(min(length(bend), 1.5707963));
+    return k_seen_height * min(look.size.w, 1.0) * (0.4 + 0.6 * flat_share * flat_share);
+}
+
 // `sun` is irradiance times what reaches the leaf; n looks toward the eye.
 vec3 grass_radiance(PlantLook look, vec3 leaf, vec3 through, vec3 n, vec3 to_sun, vec3 to_eye, vec3 sun, vec3 sky, vec3 below,
                     float gloss) {

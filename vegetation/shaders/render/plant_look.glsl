@@ -7,7 +7,8 @@ struct PlantLook {
     vec4 tip;     // rgb; w share of the colour's spread between one plant and the next
     vec4 dry;     // rgb of the driest tips; w exponent of the gloss
     vec4 through; // rgb of light that shines through; w how much more of it against the light
-    // x [m] from which on blades are drawn wider, y [m] where normals have become the ground's; z share of dry patches, w 0
+    // x [m] from which on blades are drawn wider, y [m] where normals have become the ground's; z share of dry patches, w how far waves of
+    // the wind turn its normal afar
     vec4 size;
     vec4 second; // rgb of other clumps' tips; w tangent of the fold along a blade
     vec4 head;   // rgb of seed heads and flowers; w from which height on, 1 none

@@ -1,6 +1,10 @@
-// Near the eye soil between the roots; afar the meadow's own mean colour, since blades end before the terrain does.
+// Near the eye soil between the roots; afar the meadow's own mean colour, since blades end before the terrain does, and the waves
+// that gusts draw in it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_SET 1
+#include "shaders/coupling/windrow_plants.glsl"
+#include "canopy_lean.glsl"
 #include "grass_light.glsl"
 #include "shading.glsl"
 #include "terrain.glsl"
@@ -9,6 +13,7 @@
 layout(std140, set = 2, binding = 0) uniform Look { PlantLook look; };
 
 layout(std430, set = 2, binding = 1) readonly buffer Grown { float grown_values[]; };
+layout(std140, set = 2, binding = 2) uniform Class { WindrowBlade blade_class; };
 layout(push_constant) uniform Told { layout(offset = 8) ivec2 grown_corners; };
 
 #define WINDROW_GRID int
@@ -44,8 +49,23 @@ void main() {
     float shade = grass_self_shade(look, k_seen_height), open = grass_open(look, k_seen_height);
     vec3 bare = soil * (0.318309886 * sun * (max(dot(n, to_sun), 0.0) * mix(1.0, grass_self_shade(look, 0.2), stands)) +
                         mix(0.7, look.root.w, stands) * windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb));
-    vec3 meadow = grass_radiance(look, leaf, grass_through(look, leaf, k_seen_height), n, to_sun, to_eye, sun * shade,
-                                 frame.skylight.rgb * open, frame.groundlight.rgb * open, 0.0);
+    vec3 canopy = n;
+    float gloss = 0.0;
+    // As far as two points of the picture lie within a gust.
+    float apart = max(length(dFdx(position)), length(dFdy(position)));
+    if (look.size.w > 0.0 && grown > 0.0) {
+        float gust = 12.0 / max(windrow_frame.ambient.gust_texels, 1e-6); // its main wavelength [m]
+        float sharp = clamp(0.5 * gust / max(apart, 1e-3) - 0.5, 0.0, 1.0);
+        // The grass that hides this point stands before it, some of it farther than other.
+        vec3 hidden = vec3(to_eye.x, 0.0, to_eye.z) * (blade_class.size.x / max(to_eye.y, 2.0 * blade_class.size.x / gust));
+        vec2 lean =
+            0.5 * (canopy_lean(blade_class, position + 0.4 * hidden, sharp) + canopy_lean(blade_class, position + hidden, sharp));
+        float afar = smoothstep(0.3, 1.0, distance / look.size.y);
+        canopy = grass_canopy_normal(look, n, afar * lean);
+        gloss = afar * grass_canopy_gloss(look, lean);
+    }
+    vec3 meadow = grass_radiance(look, leaf, grass_through(look, leaf, k_seen_height), canopy, to_sun, to_eye, sun * shade,
+                                 frame.skylight.rgb * open, frame.groundlight.rgb * open, gloss);
     vec3 radiance = mix(bare, meadow, grown);
     colour = vec4(fogged(radiance, position), 1.0);
     motion = windrow_motion_vector(clip_now, clip_before);
