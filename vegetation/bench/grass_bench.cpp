@@ -10,12 +10,18 @@
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/bench/grass_eyes.h"
 #include "vegetation/grass/grass_field.h"
+#include "vegetation/render/grass_layer.h"
+#include "vegetation/render/renderer.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 using namespace windrow::vegetation;
@@ -104,6 +110,70 @@ void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metr
                 static_cast<double>(field.memory_bytes()) / 1e6);
 }
 
+// A meadow that is drawn in gusts with detail: stages by the device's clock, medians.
+void measure_motion(engine::Device& device, float metres, int width, int height) {
+    constexpr int k_warm = 4, k_timed = 24;
+    constexpr double k_step = 1.0 / 60.0;
+    render::Scene scene;
+    scene.ground = {.corner = glm::dvec3(0.0), .heights = held(grass::bench::rolling_hills(metres))};
+    const glm::dvec3 middle(0.5 * static_cast<double>(metres), 3.0, 0.5 * static_cast<double>(metres));
+    scene.wind.wind = {.centre = middle + glm::dvec3(0.0, 4.0, 0.0), .ambient = {3.4f, 0.0f, 4.2f}};
+    scene.wind.wind.gusts = {.intensity = 0.4f, .length = 14.0f};
+    scene.wind.sampling = {.detail = 0.5f, .detail_length = 0.5f};
+    auto wind =
+        held(windrow::vulkan::Wind::create(device.host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
+    const auto frames = held(engine::Frames::create(device));
+    const grass::PlacementMask mask = held(grass::PlacementMask::create({257, 257}, scene.ground.heights.extent(), 1.0f));
+    struct Case {
+        const char* name;
+        bool springs, waves;
+        std::unique_ptr<render::Renderer> renderer{};
+        std::unique_ptr<render::GrassLayer> grass{};
+        std::map<std::string, std::vector<double>> stages{};
+    } cases[] = {{"neither", false, false}, {"springs", true, false}, {"waves", false, true}, {"both", true, true}};
+    for (Case& each : cases) {
+        scene.look.wave = each.waves ? render::PlantLook{}.wave : 0.0f;
+        each.renderer = held(render::Renderer::create(device, scene, {.width = width, .height = height}));
+        each.grass = held(render::GrassLayer::create(device, each.renderer->draw_targets(), scene.ground, mask,
+                                                     {.look = scene.look, .springs = each.springs}));
+        each.renderer->add(*each.grass);
+        each.grass->set_time_step(4.0 * k_step);
+    }
+    render::Camera camera;
+    camera.position = {middle.x, static_cast<double>(scene.ground.heights.height(glm::vec2(middle.x, middle.z))) + 1.7, middle.z};
+    camera.target = camera.position + glm::dvec3(10.0, -0.8, 3.0);
+    for (int round = 0; round < k_warm + k_timed; ++round)
+        for (Case& each : cases) {
+            const engine::Frame frame = held(frames->begin());
+            each.renderer->begin(frame);
+            (void)held(wind.record(frame.commands, {.dt = k_step, .slot = frame.slot}));
+            held(each.renderer->record(frame, camera, wind));
+            held(frames->finish(frame));
+            each.renderer->clock().collect(frame.slot);
+            double whole = 0.0;
+            for (const render::StageTime& stage : each.renderer->clock().times()) {
+                if (round >= k_warm)
+                    each.stages[stage.name].push_back(stage.us);
+                whole += std::strcmp(stage.name, "wind") != 0 ? stage.us : 0.0;
+            }
+            if (round >= k_warm)
+                each.stages["frame"].push_back(whole);
+        }
+    const auto median = [](std::vector<double> values) {
+        std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+        return values[values.size() / 2];
+    };
+    std::printf("motion, %d x %d: ms of a stage, and over that of neither; the frame is without its wind\n", width, height);
+    for (Case& each : cases) {
+        std::printf("%8s", each.name);
+        for (const char* const stage : {"prepare", "colour", "frame"}) {
+            const double ms = 1e-3 * median(each.stages[stage]);
+            std::printf(" | %s %8.3f %5.3f", stage, ms, ms / (1e-3 * median(cases[0].stages[stage])));
+        }
+        std::printf("\n");
+    }
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -116,5 +186,6 @@ int main(int count, char** arguments) {
     for (const float metres : {16.0f, 50.0f, 160.0f, 500.0f})
         if (static_cast<double>(metres) <= most)
             measure(*own, *device, metres);
+    measure_motion(*device, 160.0f, 640, 360);
     return 0;
 }
