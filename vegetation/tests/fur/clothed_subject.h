@@ -9,13 +9,14 @@
 #include "vegetation/tests/fur/folder.h"
 #include "vegetation/tests/fur/stage.h"
 
+#include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 
 namespace windrow::vegetation::fur::test {
 
 struct Subject {
     program::PictureScene scene{};
-    std::size_t body = 1; // 0 is the ground
+    std::size_t body = 0; ///< its number in the scene
     program::BodyModel model{};
     CoatSettings coat{};
 
@@ -44,6 +45,10 @@ inline Subject subject(const char* name) {
     EXPECT_TRUE(scene) << scene.error();
     Subject made;
     made.scene = *std::move(scene);
+    const auto& bodies = made.scene.picture.bodies;
+    const auto named = std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == name; });
+    EXPECT_NE(named, bodies.end()) << name;
+    made.body = static_cast<std::size_t>(named - bodies.begin());
     made.coat = made.worn().coats.front().coat;
     made.coat.maps.length.clear();
     made.coat.maps.colour.clear();
