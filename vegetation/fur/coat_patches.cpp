@@ -27,7 +27,7 @@ Place place_of(std::span<const CoatVertexBlock> vertices, const CoatPatchBlock& 
     return {a + patch.weights.x * along + patch.weights.y * aside, across / std::max(glm::length(across), 1e-20f)};
 }
 
-// A cell of a grid, 20 bits an axis, and three more of what lies in it apart.
+// Key of a cell: 20 bits an axis, and 3 bits of its content.
 std::uint64_t key_of(glm::vec3 at, float cell, std::uint64_t apart = 0) {
     std::uint64_t key = apart;
     for (int axis = 0; axis < 3; ++axis)

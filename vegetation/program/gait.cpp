@@ -26,26 +26,25 @@ Gait::Gait(const windrow::scene::MotionPath& path) {
     ahead_ = glm::mix(0.4, 0.35, running);
 }
 
-double Gait::way(double time) const {
+// The `value` where `key` is `at`, linear between two marks; constant beyond the first and the last.
+template <class Value>
+Value Gait::between(double at, double Mark::*key, Value Mark::*value) const {
     const auto next =
-        std::upper_bound(marks_.begin(), marks_.end(), time, [](double t, const Mark& mark) { return t < mark.time; });
+        std::upper_bound(marks_.begin(), marks_.end(), at, [key](double t, const Mark& mark) { return t < mark.*key; });
     if (next == marks_.begin())
-        return marks_.front().way;
+        return marks_.front().*value;
     if (next == marks_.end())
-        return marks_.back().way;
+        return marks_.back().*value;
     const Mark& last = *(next - 1);
-    return glm::mix(last.way, next->way, (time - last.time) / (next->time - last.time));
+    return glm::mix(last.*value, (*next).*value, (at - last.*key) / ((*next).*key - last.*key));
+}
+
+double Gait::way(double time) const {
+    return between(time, &Mark::time, &Mark::way);
 }
 
 glm::dvec2 Gait::at(double way) const {
-    const auto next =
-        std::upper_bound(marks_.begin(), marks_.end(), way, [](double w, const Mark& mark) { return w < mark.way; });
-    if (next == marks_.begin())
-        return marks_.front().place;
-    if (next == marks_.end())
-        return marks_.back().place;
-    const Mark& last = *(next - 1);
-    return glm::mix(last.place, next->place, (way - last.way) / (next->way - last.way));
+    return between(way, &Mark::way, &Mark::place);
 }
 
 double Gait::heading(double way) const {

@@ -50,6 +50,9 @@ class Gait {
         double time = 0.0, way = 0.0;
         glm::dvec2 place{0.0};
     };
+    template <class Value>
+    [[nodiscard]] Value between(double at, double Mark::*key, Value Mark::*value) const;
+
     std::vector<Mark> marks_{}; ///< points of the path
     double speed_ = 0.0, stride_ = 1.0, stand_ = 0.62, ahead_ = 0.4;
 };

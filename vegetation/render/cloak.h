@@ -3,8 +3,8 @@
 // A column's link at a row leans from the vertical by a = q C / w along the wind that passes it, q = 1.2/2 u^2 the pressure, C and w
 // the drag coefficient and weight [N/m2] of cloth: the tangent of a hanging sheet's angle. What would press it into the wearer is
 // taken out, the wind along the body stays. Springs (coupling/spring.h) follow a, the slower the lower: a gust runs down the cloak. Each
-// point lies one link below the one above, then is moved out of the wearer's flesh. Ripples that run down with the wind are added
-// on top; they are drawn, not solved.
+// point is one link below the one above, then is moved out of the wearer's flesh. Ripples that run down with the wind are added on
+// top; they are drawn, not solved.
 #pragma once
 
 #include "../../fluid/result.h"

@@ -5,9 +5,9 @@
 //                                          strand that stands, 0 or more, both less the margin; e = 0.02 L
 //   s = (d_r + e) / (d_r + e - d_1)        fraction of the length, where standing up is not enough; d_r is the root's, without margin
 //
-// A patch counts where it faces the root, lies below x and is not far within: weights fall smoothly to 0 with each, and t = s = 1 at
+// A patch counts where it faces the root, is below x and not far within: weights fall smoothly to 0 with each, and t = s = 1 at
 // d_1 = 0, so that both are continuous in the pose and in the wind, steep as they may be: the pass relaxes them in time. e leaves x
-// that deep at most where the root itself lies on the patch. The least of all patches and heights is taken, which no order of patches
+// that deep at most where the root itself is on the patch. The least of all patches and heights is taken, which no order of patches
 // changes. Lean and length change as a whole: strands keep their shape and layers their order. A second and a third look take what
 // the first has left.
 #ifndef WINDROW_COAT_ROOM_GLSL
