@@ -40,6 +40,18 @@ WINDROW_C_API windrow_result windrow_spring_step_block(const windrow_spring_step
 /* A frame of `duration` [s] for plants that swing on a device (windrow_blade_swing of windrow_plants.glsl). */
 WINDROW_C_API windrow_result windrow_swing_step_make(const windrow_spring_class* spring, double duration,
                                                      windrow_swing_block* block);
+/* The class's four bands: windrow_spring_band of numerics/spring.glsl says which one a plant has. */
+WINDROW_C_API windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class bands[4]);
+
+/* Leaves that turn to and fro about their stalks (numerics/flutter.glsl). */
+typedef struct windrow_flutter_class {
+    double frequency_hz; /* [Hz] */
+    float most;          /* [rad] */
+    float onset;         /* [m/s] */
+} windrow_flutter_class;
+/* A frame of `duration` [s] that ends at `time` [s]. A null class: the default. */
+WINDROW_C_API windrow_result windrow_flutter_step_make(const windrow_flutter_class* flutter, double time, double duration,
+                                                       windrow_flutter_block* block);
 
 /* Springs side by side, `count` numbers each: floats or doubles by the call. The last three may be null. */
 typedef struct windrow_spring_batch {

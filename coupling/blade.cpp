@@ -21,7 +21,7 @@ Result<Blades> Blades::create(const BladeSettings& settings) {
 Blades::Blades(const BladeSettings& settings) : settings_(settings) {
     block_.size = {settings.stalk.length, settings.length_spread, 0.5f * settings.width, settings.tip_width};
     block_.form = {settings.taper, settings.along_wind, settings.stiffness_spread, settings.rest_curve};
-    block_.own = {settings.rest_bend, settings.rest_bend_spread, settings.view_bend, 0.0f};
+    block_.own = {settings.rest_bend, settings.rest_bend_spread, settings.view_bend, settings.twist};
     block_.drag = windrow::block(settings.stalk);
 }
 

@@ -26,7 +26,7 @@ void gather(KeyLanes& lanes, const PlantKey* keys, std::size_t count) {
 
 // An upright blade: the fields of a WindrowBladePlant that are not the class's.
 struct PlantLanes {
-    Lanes facing_x, facing_z, load_x, load_z, own_x, own_z, reach, sharpness;
+    Lanes facing_x, facing_z, twist, load_x, load_z, own_x, own_z, reach, sharpness;
 };
 
 // Classes are passed by value: the outputs cannot alias them.
@@ -51,6 +51,7 @@ WINDROW_LEVELS void plant_lanes(PlantLanes& plants, numerics::WindrowBlade blade
             numerics::windrow_blade_plant(blade, k_up, numerics::windrow_plant_hash(keys[i]), loads[i], view);
         plants.facing_x.at[i] = plant.facing.x;
         plants.facing_z.at[i] = plant.facing.z;
+        plants.twist.at[i] = plant.twist;
         plants.load_x.at[i] = plant.stem.load.x;
         plants.load_z.at[i] = plant.stem.load.z;
         plants.own_x.at[i] = plant.stem.own.x;
@@ -70,6 +71,7 @@ WINDROW_LEVELS void row_lanes(RowLanes& row, const PlantLanes& plants, float cur
         numerics::WindrowBladePlant plant;
         plant.facing = {plants.facing_x.at[i], 0.0f, plants.facing_z.at[i]};
         plant.width = glm::cross(k_up, plant.facing);
+        plant.twist = plants.twist.at[i];
         plant.stem.axis = k_up;
         plant.stem.reach = plants.reach.at[i];
         plant.stem.load = {plants.load_x.at[i], 0.0f, plants.load_z.at[i]};

@@ -20,6 +20,15 @@ struct SwingBlock {
 };
 static_assert(sizeof(SwingBlock) == 80);
 
+/// A frame of a class of leaves that flutter: WindrowFlutter of shaders/numerics/flutter.glsl.
+struct FlutterBlock {
+    glm::vec4 motion{0.0f}; ///< x [rad] most, y [m/s] wind from which on, zw 0
+    glm::vec4 now{0.0f};    ///< turns of each band, 0 to 1
+    glm::vec4 before{0.0f}; ///< a frame ago
+    glm::vec4 shown{0.0f};  ///< fraction of each band's motion that the frame rate can show
+};
+static_assert(sizeof(FlutterBlock) == 64);
+
 /// A stage of a cascade, or the body: WindrowPose of shaders/numerics/cascade.glsl.
 struct PoseBlock {
     glm::vec4 place{0.0f};                      ///< xyz [m] from the anchor, w scale

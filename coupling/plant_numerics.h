@@ -14,6 +14,7 @@
 namespace windrow::numerics {
 using namespace glm;
 #include "shaders/numerics/blade.glsl"
+#include "shaders/numerics/flutter.glsl"
 #include "shaders/numerics/plant_drag.glsl"
 #include "shaders/numerics/plant_hash.glsl"
 #include "shaders/numerics/plant_masks.glsl"

@@ -106,6 +106,14 @@ Result<void> validate(const SpringClass& spring) {
     return detail::validate_settings(spring, "spring");
 }
 
+std::array<SpringClass, 4> spring_bands(const SpringClass& spring) {
+    constexpr double k_steps[] = {0.77110541270397037, 0.91700404320467121, 1.0905077326652577, 1.2968395546510096};
+    std::array<SpringClass, 4> bands;
+    for (std::size_t n = 0; n < bands.size(); ++n)
+        bands[n] = {std::clamp(k_steps[n] * spring.frequency_hz, 1e-4, 1000.0), spring.damping};
+    return bands;
+}
+
 Result<SpringStep> spring_step(const SpringClass& spring, double duration) {
     if (auto valid = validate(spring); !valid)
         return Error{valid.error()};
@@ -146,6 +154,29 @@ Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
     block.spring = step->block();
     block.smoothing = filter->block();
     block.parts = {static_cast<float>(parts), static_cast<float>(duration / parts), 0.0f, 0.0f};
+    return block;
+}
+
+Result<void> validate(const FlutterClass& flutter) {
+    return detail::validate_settings(flutter, "flutter");
+}
+
+Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration) {
+    if (auto valid = validate(flutter); !valid)
+        return Error{valid.error()};
+    if (!(duration >= 0.0) || !std::isfinite(duration) || !std::isfinite(time))
+        return Error{detail::message("A frame of flutter ends at ", time, " s and has ", duration,
+                                     " s: give finite numbers, and a duration of 0 or more.")};
+    FlutterBlock block;
+    block.motion = {flutter.most, flutter.onset, 0.0f, 0.0f};
+    const auto bands = spring_bands({flutter.frequency_hz, 0.0});
+    for (int n = 0; n < 4; ++n) {
+        const double hz = bands[static_cast<std::size_t>(n)].frequency_hz;
+        const double now = hz * time, before = hz * (time - duration);
+        block.now[n] = static_cast<float>(now - std::floor(now));
+        block.before[n] = static_cast<float>(before - std::floor(before));
+        block.shown[n] = static_cast<float>(std::clamp(2.0 - 4.0 * hz * duration, 0.0, 1.0));
+    }
     return block;
 }
 

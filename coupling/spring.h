@@ -13,6 +13,7 @@
 #include "../fluid/setting.h"
 #include "motion_blocks.h"
 
+#include <array>
 #include <span>
 
 namespace windrow {
@@ -50,6 +51,10 @@ inline constexpr SpringClass trunk{0.3, 0.08};
 /// Rejects a frequency or a damping that is out of range or NaN.
 [[nodiscard]] WINDROW_API Result<void> validate(const SpringClass& spring);
 
+/// Springs of plants of one class: its frequency times 2^(-3/8), 2^(-1/8), 2^(1/8) and 2^(3/8), its damping. Plants of all four
+/// swing apart after a gust; windrow_spring_band of shaders/numerics/spring.glsl says which one a plant has.
+[[nodiscard]] WINDROW_API std::array<SpringClass, 4> spring_bands(const SpringClass& spring);
+
 /// The six coefficients of a step (spring.glsl), in double.
 struct WINDROW_API SpringStep {
     double place_place = 0.0;       ///< A - 1
@@ -72,6 +77,30 @@ struct WINDROW_API SpringStep {
 /// spring's frequency, 3 Hz for grass; or to 0.15 of the frame rate where that is lower, as below 20 a second: what faster ones do
 /// would be seen as noise. Rejects as `spring_step`.
 [[nodiscard]] WINDROW_API Result<SwingBlock> swing_step(const SpringClass& spring, double duration);
+
+/// Leaves that turn to and fro about their stalks (shaders/numerics/flutter.glsl).
+struct FlutterClass {
+    double frequency_hz = 6.0;
+    float most = 0.6f;
+    float onset = 1.6f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("frequency_hz", &FlutterClass::frequency_hz, {1e-4, 1000.0, "Hz"},
+                    "Of the leaf's torsion; leaves differ by up to 30 %. The default is that of springs::leaf."),
+            Setting("most", &FlutterClass::most, {0.0, 1.5, "rad"}, "Largest turn to either side. 0: none."),
+            Setting("onset", &FlutterClass::onset, {0.0, 100.0, "m/s"},
+                    "Wind from which on they flutter; 1.6 is where Beaufort's force 2 begins, at which leaves rustle."),
+        };
+    }
+};
+
+[[nodiscard]] WINDROW_API Result<void> validate(const FlutterClass& flutter);
+
+/// A frame that ends at `time` [s] and began `duration` [s] before. A band fades from a quarter of the frame rate on and is still
+/// from half of it on, where it would be seen as noise. Rejects a class out of range, a time or a duration that is not finite and
+/// a negative duration.
+[[nodiscard]] WINDROW_API Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration);
 
 /// Springs side by side: component i of each array belongs to spring i. A vector's components are springs of their own.
 template <class Real>

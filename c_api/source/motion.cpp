@@ -119,6 +119,23 @@ WINDROW_EXPORT windrow_result windrow_swing_step_make(const windrow_spring_class
         return done(made);
     });
 }
+WINDROW_EXPORT windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class bands[4]) {
+    return call({{spring, "spring"}, {bands, "bands"}}, [&]() -> windrow_result {
+        const std::array<SpringClass, 4> made = spring_bands(plain(*spring));
+        for (std::size_t band = 0; band < made.size(); ++band)
+            write_fields(made[band], bands[band]);
+        return WINDROW_OK;
+    });
+}
+WINDROW_EXPORT windrow_result windrow_flutter_step_make(const windrow_flutter_class* flutter, double time, double duration,
+                                                        windrow_flutter_block* block) {
+    return call({{block, "block"}}, [&] {
+        const Result<FlutterBlock> made = flutter_step(flutter != nullptr ? plain(*flutter) : FlutterClass{}, time, duration);
+        if (made)
+            copy_block(*made, block);
+        return done(made);
+    });
+}
 WINDROW_EXPORT windrow_result windrow_springs_advance_float(const windrow_spring_step* step, const windrow_spring_batch* batch,
                                                             const windrow_parallel_for* parallel_for) {
     return advance<float>(step, batch, parallel_for);

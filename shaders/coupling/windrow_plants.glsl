@@ -6,6 +6,7 @@
 //     WindrowVertex v = windrow_blade(grass, root, up, key, bend, eye, h, side);            // [m] from the anchor
 //     vec3 p = windrow_shell(fur, skin, normal, float(gl_InstanceIndex), 1.0, velocity);    // after skinning
 //     WindrowTreeVertex t = windrow_tree(oak, base, trunk, branch, leaf, rest);
+//     rest = windrow_leaf_turned(leaf, windrow_flutter_angle(flutter, flutter.now, hash, speed), rest);  // before, for a leaf
 //
 // `grass`, `fur` and `oak` are the blocks of windrow::Blades, Shells and Tree (coupling/), in a uniform or storage buffer of
 // yours. Positions are [m] from the anchor of the frame's block, as windrow_wind.glsl has them; keys are not: a key is a plant's
@@ -18,6 +19,7 @@
 #include "windrow_wind.glsl"
 
 #include "../numerics/blade.glsl"
+#include "../numerics/flutter.glsl"
 #include "../numerics/shell.glsl"
 #include "../numerics/strand.glsl"
 #include "../numerics/swing.glsl"
@@ -65,8 +67,9 @@ vec2 windrow_swing_ripple(WindrowBlade blade, vec3 middle, vec3 up, uvec2 hash, 
 
 // A blade with inertia, one call a frame and blade: a compute pass keeps its state in a buffer of yours, as it is or packed to 20
 // bytes (windrow_swing_packed). Its bend is then windrow_level(swing.bend); a frame ago it was the bend of the state before. `hash`
-// is windrow_plant_hash of the key; `step` comes from windrow::swing_step. `goes_on`: the state is of the frame before; else the
-// blade begins at rest. It grows along `up`, nearly upright.
+// is windrow_plant_hash of the key; `step` comes from windrow::swing_step, and best is that of the blade's band of springs:
+// windrow_spring_band(windrow_blade_quickness(blade, hash)). `goes_on`: the state is of the frame before; else the blade begins at
+// rest. It grows along `up`, nearly upright.
 WindrowSwing windrow_blade_swing(WindrowSwingStep step, WindrowBlade blade, vec3 root, vec3 up, uvec2 hash, vec3 velocity,
                                  bool goes_on, WindrowSwing swing) {
     vec3 middle = root + 0.5 * windrow_blade_length(blade, hash) * up;

@@ -5,8 +5,11 @@
 //                wide axis
 //   own bend     toward f: a base, a spread by chance, and more the steeper one looks down on it, so that grass seen from above
 //                is no dots
-//   position     root + c(h) + side * half_width(h) * R(h) w
-//   normal       R(h) f: exactly the cross product of the position's two derivatives while load and own bend share a plane
+//   twist        the face turns to the wind by tau(h) = tau (2 h - h^2), tau = k |load| sin(2 angle from f to load): an even moment
+//                about the blade's length, which is 0 face on and on edge
+//   position     root + c(h) + side * half_width(h) * R(h) (w cos tau(h) - f sin tau(h))
+//   normal       R(h) (f cos tau(h) + w sin tau(h)): exactly the cross product of the position's two derivatives on the middle line,
+//                and everywhere while load and own bend share a plane and nothing twists
 //
 // half_width(h) = half_width * (1 - (1 - tip) h^taper). The translate form, u s h^c, shears the blade and stretches it: it is
 // there to compare with.
@@ -24,7 +27,7 @@
 struct WindrowBlade {
     vec4 size; // x [m] length, y its spread; z [m] half of the width at the root, w the tip's width over the root's
     vec4 form; // x taper exponent; y share of the load along the wind; z spread of the stiffness; w curve of the own bend
-    vec4 own;  // x [rad] own bend, y [rad] its spread, z [rad] most added when seen from above; w 0
+    vec4 own;  // x [rad] own bend, y [rad] its spread, z [rad] most added when seen from above; w k of the twist
     WindrowDrag drag;
 };
 
@@ -32,6 +35,7 @@ struct WindrowBlade {
 struct WindrowBladePlant {
     vec3 facing; // unit vector, across the axis
     vec3 width;  // unit vector, across axis and facing
+    float twist; // [rad] turn of the tip about the blade's length, from facing toward width
     WindrowStem stem;
 };
 
@@ -74,6 +78,12 @@ WINDROW_FN vec3 windrow_blade_load(WindrowBlade blade, vec3 axis, uvec2 hash, ve
 // Share of the most view bend: 0 seen level or from below, 1 seen from straight above. `view` is the unit vector from the eye.
 WINDROW_FN float windrow_view_fraction(vec3 view, vec3 axis) { return clamp(-dot(view, axis), 0.0f, 1.0f); }
 
+// Frequency of a blade over its class's, as of a beam of one thickness: with the root of the stiffness, over the length squared.
+WINDROW_FN float windrow_blade_quickness(WindrowBlade blade, uvec2 hash) {
+    float share = windrow_blade_length_fraction(blade, hash);
+    return sqrt(windrow_plant_factor(hash, blade.form.z)) / (share * share);
+}
+
 // [m] Length of a blade of the class.
 WINDROW_FN float windrow_blade_length(WindrowBlade blade, uvec2 hash) {
     return blade.size.x * windrow_blade_length_fraction(blade, hash);
@@ -86,7 +96,9 @@ WINDROW_FN WindrowBladePlant windrow_blade_plant(WindrowBlade blade, vec3 axis, 
     plant.facing = windrow_blade_facing(axis, hash);
     plant.width = cross(axis, plant.facing);
     float own = clamp(blade.own.x + blade.own.y * chance + blade.own.z * windrow_view_fraction(view, axis), -3.0f, 3.0f);
-    vec3 about_own_axis = dot(load, plant.facing) * plant.facing;
+    float faced = dot(load, plant.facing), edged = dot(load, plant.width);
+    plant.twist = clamp(2.0f * blade.own.w * faced * edged / max(sqrt(faced * faced + edged * edged), 1e-6f), -3.0f, 3.0f);
+    vec3 about_own_axis = faced * plant.facing;
     vec3 bend = about_own_axis + blade.form.y * (load - about_own_axis);
     plant.stem = windrow_stem(axis, windrow_blade_length(blade, hash), bend, own * plant.facing, blade.form.w, blade.drag.load.w);
     return plant;
@@ -101,10 +113,14 @@ WINDROW_FN float windrow_blade_half_width(WindrowBlade blade, float h) {
 WINDROW_FN WindrowVertex windrow_blade_point(WindrowBladePlant plant, float h, float across) {
     WindrowStem stem = plant.stem;
     vec3 bend = windrow_stem_bend(stem, h);
+    float twist = plant.twist * (h * (2.0f - h));
+    float sine = twist * windrow_sine_fraction(twist * twist);
+    float cosine = 1.0f - twist * twist * windrow_cosine_fraction(twist * twist);
+    vec3 width = cosine * plant.width - sine * plant.facing;
     WindrowVertex vertex;
     vertex.position =
-        stem.reach * h * stem.axis + windrow_stem_shift(stem, h) + across * windrow_stem_turn(stem.axis, bend, plant.width);
-    vertex.normal = windrow_stem_turn(stem.axis, bend, plant.facing);
+        stem.reach * h * stem.axis + windrow_stem_shift(stem, h) + across * windrow_stem_turn(stem.axis, bend, width);
+    vertex.normal = windrow_stem_turn(stem.axis, bend, cosine * plant.facing + sine * plant.width);
     vertex.tangent = windrow_stem_turn(stem.axis, bend, stem.axis);
     return vertex;
 }

@@ -9,6 +9,8 @@
 //
 // The six numbers are the same for all springs of a class: the CPU computes them once a step, in double (coupling/spring.h).
 // Increments, not new values: at 1000 Hz A differs from 1 by some 1e-5, of which a float would keep two digits.
+// Plants of a class differ, or a gust would set a whole meadow swinging in one time: the class has four bands of springs, a quarter
+// of an octave apart, and each plant takes the one that is nearest to its own frequency.
 // Exact for targets that are constant or linear over each step, so the same motion at any frame rate. A resting spring on a
 // resting target stays as it is, to the bit.
 // Based on: the variation of constants; the free solution as in Den Hartog 1956, Mechanical Vibrations, chapter 2.
@@ -24,6 +26,11 @@ struct WindrowSpringStep {
     vec4 place;    // x A - 1, y [s] B, z 1 + E
     vec4 velocity; // x [1/s^2] -omega^2 B, y D - 1, z [1/s] (1 - A) / h
 };
+
+// The band of a plant whose frequency is `quickness` times its class's: 0 to 3, windrow::spring_bands.
+WINDROW_FN int windrow_spring_band(float quickness) {
+    return quickness < 0.840896415f ? 0 : quickness < 1.0f ? 1 : quickness < 1.18920712f ? 2 : 3;
+}
 
 // What the place grows by in a step. `velocity` is the one before the step.
 WINDROW_FN float windrow_spring_place(WindrowSpringStep s, float place, float velocity, float before, float now) {

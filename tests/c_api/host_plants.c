@@ -123,6 +123,9 @@ static void check_springs(void) {
     windrow_spring_step step;
     windrow_spring_block block;
     windrow_swing_block swing;
+    windrow_spring_class bands[4];
+    windrow_flutter_class leaves = {6.0, 0.6f, 1.6f};
+    windrow_flutter_block flutter, as_default;
     windrow_spring_batch batch;
     windrow_cascade_step* cascade = NULL;
     windrow_cascade_batch rows;
@@ -137,6 +140,13 @@ static void check_springs(void) {
     CHECK_FAILS(windrow_swing_step_make(&spring, -1.0, &swing), WINDROW_REJECTED, "-1");
     CHECK_OK(windrow_swing_step_make(&spring, 1.0 / 24.0, &swing));
     CHECK(swing.parts.x == 3.0f && swing.parts.y < 1.0f / 60.0f);
+    CHECK_OK(windrow_spring_bands(&spring, bands));
+    CHECK(bands[0].frequency_hz < 0.7 && bands[3].frequency_hz > 1.1 && bands[3].damping == spring.damping);
+    CHECK_OK(windrow_flutter_step_make(&leaves, 1.0, 1.0 / 60.0, &flutter));
+    CHECK_OK(windrow_flutter_step_make(NULL, 1.0, 1.0 / 60.0, &as_default));
+    CHECK(memcmp(&flutter, &as_default, sizeof flutter) == 0 && flutter.motion.x == 0.6f && flutter.now.x != flutter.before.x);
+    leaves.onset = -1.0f;
+    CHECK_FAILS(windrow_flutter_step_make(&leaves, 1.0, 0.0, &flutter), WINDROW_REJECTED, "-1");
     memset(&batch, 0, sizeof batch);
     batch.count = 1;
     batch.place = &place;

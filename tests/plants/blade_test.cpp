@@ -181,14 +181,18 @@ TEST(Blade, BendsAboutItsOwnAxisWhenAskedTo) {
 
 // The frame against differences of the positions: tangent along h, normal across h and side.
 TEST(Blade, NormalsAndTangentsAreThePositionsDerivatives) {
-    double straight_error = 0.0, both_error = 0.0, tangent_error = 0.0;
+    double straight_error = 0.0, both_error = 0.0, twisted_error = 0.0, tangent_error = 0.0;
     Random random(6);
     for (int n = 0; n < 2000; ++n) {
-        const bool own = n % 2 == 1;
-        const Blades grass = blades({.stalk = wheat(), .width = 0.1f, .rest_bend = own ? 0.8f : 0.0f, .rest_bend_spread = 0.0f});
+        const bool own = n % 2 == 1, twists = n % 3 == 2;
+        const Blades grass = blades({.stalk = wheat(),
+                                     .width = 0.1f,
+                                     .rest_bend = own ? 0.8f : 0.0f,
+                                     .rest_bend_spread = 0.0f,
+                                     .twist = twists ? 2.0f : 0.0f});
         const PlantKey key{random.bits(), random.bits()};
         const glm::vec3 load = grass.load(key, glm::vec3(random.direction()) * random.uniform(0.0f, 15.0f));
-        const float h = random.uniform(0.05f, 0.95f), side = random.uniform(-1.0f, 1.0f);
+        const float h = random.uniform(0.05f, 0.95f), side = twists ? 0.0f : random.uniform(-1.0f, 1.0f);
         const auto at = [&](float where, float across) { return glm::dvec3(grass.vertex(key, load, where, across).position); };
         const double step = 4e-3;
         const auto along = [&](float across) {
@@ -197,15 +201,47 @@ TEST(Blade, NormalsAndTangentsAreThePositionsDerivatives) {
         const PlantVertex vertex = grass.vertex(key, load, h, side);
         const glm::dvec3 normal = glm::normalize(glm::cross(at(h, 1.0f) - at(h, -1.0f), along(side)));
         const double off = std::acos(std::clamp(std::abs(glm::dot(normal, glm::dvec3(vertex.normal))), 0.0, 1.0)) * k_degrees;
-        (own ? both_error : straight_error) = std::max(own ? both_error : straight_error, off);
+        double& worst = twists ? twisted_error : own ? both_error : straight_error;
+        worst = std::max(worst, off);
         tangent_error = std::max(
             tangent_error,
             std::acos(std::clamp(glm::dot(glm::normalize(along(0.0f)), glm::dvec3(vertex.tangent)), -1.0, 1.0)) * k_degrees);
     }
     // What the differences themselves leave is about 0.1 degrees.
     WINDROW_EXPECT_FIGURE("plants/blade/normal_off_degrees_one_plane", straight_error, 0.5);
+    WINDROW_EXPECT_FIGURE("plants/blade/normal_off_degrees_twisted_on_its_middle_line", twisted_error, 0.5);
     test::figure("plants/blade/normal_off_degrees_own_bend_out_of_the_winds_plane", both_error);
     WINDROW_EXPECT_FIGURE("plants/blade/tangent_off_degrees", tangent_error, 1.0);
+}
+
+// A strip shows its face to a wind against its corner, by the moment of a flat plate; its middle line stays where it was.
+TEST(Blade, TwistsItsFaceToTheWind) {
+    constexpr float k_twist = 1.5f;
+    constexpr double k_load = 0.02; // [rad] so little that the bend turns the face by less than its square
+    const BladeSettings plain{.rest_bend = 0.4f, .twist = 0.0f};
+    BladeSettings turning = plain;
+    turning.twist = k_twist;
+    const Blades still = blades(plain), grass = blades(turning);
+    Random random(8);
+    double off = 0.0, most = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+        const PlantKey key{random.bits(), random.bits()};
+        const glm::dvec3 facing(grass.vertex(key, glm::vec3(0.0f), 0.0f, 0.0f).normal);
+        const double angle = random.real(-3.14159, 3.14159); // from the face to the load
+        const glm::dvec3 width = glm::cross(glm::dvec3(0.0, 1.0, 0.0), facing);
+        const glm::vec3 load(k_load * (std::cos(angle) * facing + std::sin(angle) * width));
+        for (const float h : {0.25f, 0.5f, 1.0f}) {
+            const glm::dvec3 without(still.vertex(key, load, h, 1.0f).normal), with(grass.vertex(key, load, h, 1.0f).normal);
+            const glm::dvec3 across = glm::cross(glm::dvec3(still.vertex(key, load, h, 1.0f).tangent), without);
+            const double turned = std::atan2(glm::dot(with, across), glm::dot(with, without));
+            const double share = static_cast<double>(h) * (2.0 - static_cast<double>(h)); // an even moment
+            off = std::max(off, std::abs(turned - share * static_cast<double>(k_twist) * k_load * std::sin(2.0 * angle)));
+            most = std::max(most, turned);
+            ASSERT_EQ(still.vertex(key, load, h, 0.0f).position, grass.vertex(key, load, h, 0.0f).position);
+        }
+    }
+    WINDROW_EXPECT_FIGURE("plants/blade/twist_off_the_moment_of_a_plate_rad", off, 1e-5);
+    EXPECT_GT(most, 0.99 * static_cast<double>(k_twist) * k_load); // at 45 degrees
 }
 
 TEST(Blade, FeelsNothingOfAWindThatIsNotFinite) {

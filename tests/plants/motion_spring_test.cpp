@@ -216,6 +216,31 @@ TEST(MotionSpring, SwingsInPartsOfAFrame) {
     EXPECT_FALSE(swing_step({0.0, 0.2}, 0.01));
 }
 
+// Four springs a quarter of an octave apart about their class; a plant takes the one nearest to its own frequency.
+TEST(MotionSpring, HasFourBandsAboutItsClass) {
+    const auto bands = spring_bands(springs::wheat);
+    double product = 1.0;
+    for (const SpringClass& band : bands) {
+        EXPECT_EQ(band.damping, springs::wheat.damping);
+        product *= band.frequency_hz / springs::wheat.frequency_hz;
+    }
+    EXPECT_NEAR(product, 1.0, 1e-14);
+    for (int n = 0; n < 3; ++n)
+        EXPECT_NEAR(bands[n + 1].frequency_hz / bands[n].frequency_hz, std::pow(2.0, 0.25), 1e-14);
+    for (double quickness = 0.3; quickness < 3.0; quickness *= 1.01) {
+        int nearest = 0;
+        const auto off = [&](int n) {
+            return std::abs(std::log(bands[n].frequency_hz / springs::wheat.frequency_hz / quickness));
+        };
+        for (int n = 1; n < 4; ++n)
+            nearest = off(n) < off(nearest) ? n : nearest;
+        EXPECT_EQ(numerics::windrow_spring_band(static_cast<float>(quickness)), nearest) << quickness;
+    }
+    for (const double limit : {1e-4, 1000.0})
+        for (const SpringClass& band : spring_bands({limit, 0.1}))
+            EXPECT_TRUE(validate(band)) << band.frequency_hz;
+}
+
 TEST(MotionSpring, IsTheSameAtAnyFrameRate) {
     for (const Named& named : k_classes) {
         const std::string name = std::string("motion/spring/rates/") + named.name;

@@ -8,15 +8,16 @@
 namespace windrow::vegetation::program {
 namespace {
 
-/// Those of coupling/plant_classes.h, by its functions' names, and how they swing.
+/// Those of coupling/plant_classes.h, by its functions' names, and how they swing. A wind twists blades and leaves, not round stems.
 constexpr struct {
     const char* name;
     windrow::Drag (*stalk)();
     windrow::SpringClass spring;
-} k_classes[] = {{"grass", &windrow::grass, render::GrassLayerSettings{}.spring},
+    float twist = 0.0f;
+} k_classes[] = {{"grass", &windrow::grass, render::GrassLayerSettings{}.spring, windrow::BladeSettings{}.twist},
                  {"wheat", &windrow::wheat, windrow::springs::wheat},
                  {"reed", &windrow::reed, windrow::springs::reed},
-                 {"leaf", &windrow::leaf, windrow::springs::leaf},
+                 {"leaf", &windrow::leaf, windrow::springs::leaf, windrow::BladeSettings{}.twist},
                  {"twig", &windrow::twig, windrow::springs::twig},
                  {"branch", &windrow::branch, windrow::springs::branch},
                  {"small_trunk", &windrow::small_trunk, windrow::springs::branch},
@@ -100,6 +101,7 @@ void read_part(JsonObject object, GrassSource& layer, Surroundings& around) {
                 member = names[chosen];
                 layer.drawn.field.blade.stalk = k_classes[chosen].stalk();
                 layer.drawn.spring = k_classes[chosen].spring;
+                layer.drawn.field.blade.twist = k_classes[chosen].twist;
             }
             return true;
         } else if constexpr (std::same_as<Member, windrow::Drag>) { // the layer has its length

@@ -181,7 +181,8 @@ struct Walker {
             Setting("weight", &Walker::weight, k_fraction_range, "0: presses nothing; 1: all of ground_memory.push."),
             Setting("airborne", &Walker::airborne, {0.0, 1024.0},
                     "Times at which its feet leave the ground, on a parabola as a jump does."),
-            Setting("figure", &Walker::figure, "Whether a person in a cloak is drawn there, who walks or runs at the speed of the path."),
+            Setting("figure", &Walker::figure,
+                    "Whether a person in a cloak is drawn there, who walks or runs at the speed of the path."),
             Setting(
                 "wake", &Walker::wake,
                 "Whether it carries the air along where it moves, as a wake of its size; without a figure a ball of its radius. "
@@ -231,6 +232,7 @@ struct StandSource {
     std::uint32_t seed = 1;
     int variants = 2;
     bool springs = true;
+    windrow::FlutterClass flutter{};
     std::vector<StandPlace> places{};
     trees::TreeScatter scatter{};
 
@@ -241,6 +243,7 @@ struct StandSource {
             Setting("variants", &StandSource::variants, {1.0, 8.0}, "Different trees of the kind; places take them in turn."),
             Setting("springs", &StandSource::springs,
                     "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
+            Setting("flutter", &StandSource::flutter, "How its leaves flutter; needles do not."),
             Setting("places", &StandSource::places, "Trees at places of their own."),
             Setting("scatter", &StandSource::scatter, "And more at random."),
         };

@@ -147,8 +147,11 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
         if (!kind)
             return Error{"$.picture.trees: " + kind.error()};
         kind->tree.seed = stand.seed;
-        trees::TreeStandSettings settings{
-            .kind = *std::move(kind), .variants = stand.variants, .scatter = stand.scatter, .springs = stand.springs};
+        trees::TreeStandSettings settings{.kind = *std::move(kind),
+                                          .variants = stand.variants,
+                                          .scatter = stand.scatter,
+                                          .springs = stand.springs,
+                                          .flutter = stand.flutter};
         for (const StandPlace& place : stand.places)
             settings.places.push_back(
                 {.base = {place.at.x, height(place.at.x, place.at.y), place.at.y}, .size = place.size, .yaw_deg = place.yaw_deg});

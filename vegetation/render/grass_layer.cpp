@@ -41,10 +41,10 @@ constexpr std::array k_swing_bindings{k_bindings[0],
 
 // The block of field_blades.glsl.
 struct SwingFrame {
-    windrow::SwingBlock step{};
+    std::array<windrow::SwingBlock, 4> steps{}; // of its class's bands
     glm::uvec4 frame{0u};
 };
-static_assert(sizeof(SwingFrame) == 96);
+static_assert(sizeof(SwingFrame) == 336);
 constexpr VkDeviceSize k_swing_bytes = 20; // WindrowSwingBits
 
 // What both shadow maps show: boxes along the same light. The near one's corners, in the far one's clip space, widen the far one.
@@ -168,8 +168,10 @@ void GrassLayer::begin_swing(const PassContext& context) {
     if (++frame_ == 1) // no number of a frame is 0
         vkCmdFillBuffer(context.commands, listed_, 0, VK_WHOLE_SIZE, 0);
     SwingFrame frame{.frame = {frame_, 0u, 0u, 0u}};
-    if (const auto step = windrow::swing_step(settings_.spring, time_step_))
-        frame.step = *step;
+    const auto bands = windrow::spring_bands(settings_.spring);
+    for (std::size_t band = 0; band < bands.size(); ++band)
+        if (const auto step = windrow::swing_step(bands[band], time_step_))
+            frame.steps[band] = *step;
     std::memcpy(swing_blocks_[context.slot].mapped, &frame, sizeof frame);
 }
 

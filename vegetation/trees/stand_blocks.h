@@ -13,11 +13,12 @@ namespace windrow::vegetation::trees {
 struct StandBlock {
     windrow::TreeBlock wind{};
     LevelBlock levels{};
-    windrow::SpringBlock trunk_spring{}, limb_spring{}, twig_spring{};
+    windrow::SpringBlock trunk_spring{}, limb_springs[4]{}, twig_springs[4]{};
+    windrow::FlutterBlock flutter{};
     glm::uvec4 clock{0u}; ///< x number of the frame, y 1: springs, z samples a pixel, w 1: needles
     glm::vec4 bark{0.0f}, furrow{0.0f}, leaf{0.0f}, young{0.0f}, through{0.0f};
 };
-static_assert(sizeof(StandBlock) == 48 + 32 + 3 * 32 + 16 + 5 * 16);
+static_assert(sizeof(StandBlock) == 48 + 32 + 9 * 32 + 64 + 16 + 5 * 16);
 
 /// A tree's place (std430).
 struct PlaceBlock {
@@ -29,8 +30,8 @@ struct PlaceBlock {
 /// [rad] How a part of a tree is bent (std430). xyz each.
 struct PartState {
     glm::vec4 now{0.0f};      ///< w bits of the number of the frame that made it
-    glm::vec4 before{0.0f};   ///< in the last frame
-    glm::vec4 velocity{0.0f}; ///< [rad/s] of its spring
+    glm::vec4 before{0.0f};   ///< in the last frame; w [m/s] wind of then
+    glm::vec4 velocity{0.0f}; ///< [rad/s] of its spring; w [m/s] wind
     glm::vec4 target{0.0f};   ///< what the wind holds
 };
 

@@ -6,6 +6,7 @@
 // A reader fills `kind` from preset(name), lays overrides of single fields over it, and fills places and scatter.
 #pragma once
 
+#include "../../coupling/spring.h"
 #include "tree_presets.h"
 
 #include <cstdint>
@@ -78,6 +79,7 @@ struct TreeStandSettings {
     std::vector<TreePlace> places{};
     TreeScatter scatter{};
     bool springs = true;
+    windrow::FlutterClass flutter{};
 
     static constexpr auto settings() {
         return std::tuple{
@@ -88,6 +90,7 @@ struct TreeStandSettings {
             Setting("scatter", &TreeStandSettings::scatter, "More trees at random places."),
             Setting("springs", &TreeStandSettings::springs,
                     "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
+            Setting("flutter", &TreeStandSettings::flutter, "How its leaves flutter; needles do not."),
         };
     }
 };

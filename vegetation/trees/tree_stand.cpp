@@ -73,7 +73,7 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
 
 TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets, const TreeStandSettings& settings,
                      std::vector<TreeModel> models, std::span<const TreePlace> places, glm::dvec3 anchor)
-    : objects_(device), models_(std::move(models)), springs_(settings.springs) {
+    : objects_(device), models_(std::move(models)), springs_(settings.springs), flutter_(settings.flutter) {
     const TreeSettings& tree = settings.kind.tree;
     const TreeLook& look = settings.kind.look;
     block_.wind = windrow::Tree::create(wind_classes(tree))->block(); // valid classes of valid settings: vegetation/tests/trees
@@ -84,6 +84,8 @@ TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets,
     block_.leaf = glm::vec4(look.leaf, look.variation);
     block_.young = glm::vec4(look.young, look.gloss);
     block_.through = glm::vec4(look.through, look.against_light);
+    if (tree.leaf_form == LeafForm::needles)
+        flutter_.most = 0.0f;
     std::uint32_t part = 0, state = 0;
     for (const TreeModel& model : models_) {
         first_part_.push_back(part);
@@ -178,8 +180,13 @@ Result<void> TreeStand::prepare(const render::PassContext& context) {
     ++block_.clock.x;
     block_.clock.y = springs_ ? 1u : 0u;
     block_.trunk_spring = windrow::spring_step(windrow::springs::trunk, time_step_)->block();
-    block_.limb_spring = windrow::spring_step(windrow::springs::branch, time_step_)->block();
-    block_.twig_spring = windrow::spring_step(windrow::springs::twig, time_step_)->block();
+    const auto limbs = windrow::spring_bands(windrow::springs::branch), twigs = windrow::spring_bands(windrow::springs::twig);
+    for (std::size_t band = 0; band < limbs.size(); ++band) {
+        block_.limb_springs[band] = windrow::spring_step(limbs[band], time_step_)->block();
+        block_.twig_springs[band] = windrow::spring_step(twigs[band], time_step_)->block();
+    }
+    time_ += time_step_;
+    block_.flutter = *windrow::flutter_step(flutter_, time_, time_step_);
     const auto slot = static_cast<std::size_t>(context.slot);
     std::memcpy(blocks_[slot].mapped, &block_, sizeof block_);
     if (seen_.empty())

@@ -68,7 +68,9 @@ class TreeStand final : public render::Drawable {
     std::vector<std::uint32_t> first_vertex_{}, first_index_{}, first_part_{}; // one a model
     StandBlock block_{};
     bool springs_ = true;
+    windrow::FlutterClass flutter_{};
     double time_step_ = 1.0 / 60.0;
+    double time_ = 0.0; // [s] of its frames
     std::vector<Seen> seen_{};
     std::uint64_t drawn_vertices_ = 0;
 

@@ -16,7 +16,7 @@
 #endif
 
 #include "space_hash.glsl"
-#include "turn_sine.glsl"
+#include "../../../shaders/numerics/turn_sine.glsl"
 
 // xyz slope, w value of one corner's kernel; `d` from the corner.
 WINDROW_FN vec4 windrow_simplex_corner(uint seed, ivec3 corner, vec3 d) {

@@ -20,7 +20,7 @@
 #endif
 
 #include "space_hash.glsl"
-#include "turn_sine.glsl"
+#include "../../../shaders/numerics/turn_sine.glsl"
 
 struct WindrowStrandLattice {
     float jitter;  // j, 0 the grid to 1

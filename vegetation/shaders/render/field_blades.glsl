@@ -13,8 +13,8 @@
 layout(std430, set = 2, binding = 3) buffer Swings { WindrowSwingBits swings[]; };
 layout(std430, set = 2, binding = 4) buffer Listed { uint listed[]; }; // [2 place + parity]
 layout(std430, set = 2, binding = 5) readonly buffer SwingFrame {
-    WindrowSwingStep swing_step;
-    uvec4 swing_frame; // x its number, from 1 on
+    WindrowSwingStep swing_steps[4]; // of the bands of its class
+    uvec4 swing_frame;               // x its number, from 1 on
 };
 
 const uint k_listed_bits = 22u; // max_blades is at most 2^22; above them the frame's number
@@ -29,7 +29,8 @@ vec4 swung(GrassBlade blade, uint at) {
     bool goes_on = frame > 1u && last == listed_at(frame - 1u, before);
     WindrowSwing swing = windrow_swing_unpacked(swings[2u * (goes_on ? before : at) + (1u - parity)]);
     vec2 bend = swing.bend;
-    swing = windrow_blade_swing(swing_step, blade.kind, blade.root, vec3(0.0, 1.0, 0.0), blade.hash, vec3(0.0), goes_on, swing);
+    WindrowSwingStep own = swing_steps[windrow_spring_band(windrow_blade_quickness(blade.kind, blade.hash))];
+    swing = windrow_blade_swing(own, blade.kind, blade.root, vec3(0.0, 1.0, 0.0), blade.hash, vec3(0.0), goes_on, swing);
     swings[2u * at + parity] = windrow_swing_packed(swing);
     listed[2u * blade.place + parity] = listed_at(frame, at);
     return vec4(swing.bend, goes_on ? bend : swing.bend);

@@ -11,7 +11,7 @@ layout(location = 3) out vec4 tone; // rgb what the fog adds; w what it leaves
 layout(location = 4) out vec3 to_eye;
 layout(location = 5) out vec3 clip_now;
 layout(location = 6) out vec3 clip_before;
-layout(location = 7) out vec2 shade; // x how near the crown's rim, 0 to 1; y the tree's own chance
+layout(location = 7) out vec3 shade; // x how near the crown's rim, 0 to 1; y the tree's own chance; z [m/s] wind at its twig
 
 void main() {
     TreePlace place = places[gl_InstanceIndex];
@@ -31,7 +31,8 @@ void main() {
     vec3 outside = at + 0.35 * place.base.w * out_of_crown / max(length(out_of_crown), 0.3);
     float lit = sun_fraction(outside, to_sun) * mix(0.3, 1.0, through_crown);
     sun = vec4(frame.sunlight.rgb * lit, clamp(vertex.open.w + 0.6 * out_of_crown.y, 0.04, 1.0));
-    shade = vec2(clamp(vertex.open.w + 0.5 * length(vertex.open.xyz), 0.0, 1.0), place.turn.z);
+    shade = vec3(clamp(vertex.open.w + 0.5 * length(vertex.open.xyz), 0.0, 1.0), place.turn.z,
+                 tree_state(place, vertex.parts.y).velocity.w);
     normal = now.normal;
     to_eye = normalize(frame.eye.xyz - at);
     card = vec4(vertex.normal.w, vertex.centre.w, scale, uintBitsToFloat(vertex.parts.z));

@@ -19,29 +19,33 @@ void main() {
     TreePlace place = places[job.x];
     WindrowPart part = tree_part(place, n);
     WindrowDrag drag = kind.wind.leaf;
-    WindrowSpringStep spring = kind.twig_spring;
+    uint band = windrow_plant_hash(uvec2(place.first.y + n, 0u)).x & 3u; // trees and twigs of one size do not swing as one
+    WindrowSpringStep spring = kind.twig_springs[band];
     if (n == 0u) {
         drag = kind.wind.trunk;
         spring = kind.trunk_spring;
     } else if (n < place.first.z) {
         drag = kind.wind.branch;
-        spring = kind.limb_spring;
+        spring = kind.limb_springs[band];
     }
-    vec3 target = windrow_part_load(drag, part, windrow_wind_on_part(place.base.xyz, part));
+    vec3 wind = windrow_wind_on_part(place.base.xyz, part);
+    vec3 target = windrow_part_load(drag, part, wind);
     PartState state = states[place.first.y + n];
     // A part that was not drawn in the last frame has no motion to go on with.
     bool goes_on = kind.clock.y == 1u && floatBitsToUint(state.now.w) + 1u == kind.clock.x;
     if (goes_on) {
         vec3 place_gain = windrow_spring_place(spring, state.now.xyz, state.velocity.xyz, state.target.xyz, target);
         vec3 velocity_gain = windrow_spring_velocity(spring, state.now.xyz, state.velocity.xyz, state.target.xyz, target);
-        state.before.xyz = state.now.xyz;
+        state.before = vec4(state.now.xyz, state.velocity.w);
         state.now.xyz += place_gain;
         state.velocity.xyz += velocity_gain;
     } else {
-        state.before.xyz = windrow_part_load(drag, part, windrow_wind_on_part_previous(place.base.xyz, part));
+        vec3 wind_before = windrow_wind_on_part_previous(place.base.xyz, part);
+        state.before = vec4(windrow_part_load(drag, part, wind_before), length(wind_before));
         state.now.xyz = target;
         state.velocity = vec4(0.0);
     }
+    state.velocity.w = length(wind);
     state.target.xyz = target;
     state.now.w = uintBitsToFloat(kind.clock.x);
     states[place.first.y + n] = state;

@@ -1,10 +1,12 @@
 // Trees of one kind: set 2. The same layouts as in vegetation/trees (tree_model.h, stand_blocks.h).
 //
 // A vertex is that of the tree at rest, thinned out by its distance (tree_levels.glsl), turned and scaled by its place, and then
-// moved by windrow_tree_bent alone.
+// moved by windrow_tree_bent alone. Its leaves flutter: each on its card (leaf_mask.glsl), and the card as a whole by the mean of
+// theirs.
 #ifndef WINDROW_TREE_PARTS_GLSL
 #define WINDROW_TREE_PARTS_GLSL
 
+#include "shaders/numerics/flutter.glsl"
 #include "shaders/numerics/plant_hash.glsl"
 #include "shaders/numerics/spring.glsl"
 #include "shaders/numerics/tree.glsl"
@@ -30,8 +32,8 @@ struct TreePlace {
 // [rad] xyz each.
 struct PartState {
     vec4 now;      // bend; w bits of the number of the frame that made it
-    vec4 before;   // bend of the last frame
-    vec4 velocity; // [rad/s]
+    vec4 before;   // bend of the last frame; w [m/s] wind of then
+    vec4 velocity; // [rad/s]; w [m/s] wind
     vec4 target;   // what the wind holds in this frame
 };
 
@@ -39,8 +41,9 @@ layout(std140, set = 2, binding = 0) uniform TreeClass {
     WindrowTree wind;
     WindrowTreeLevels levels;
     WindrowSpringStep trunk_spring;
-    WindrowSpringStep limb_spring;
-    WindrowSpringStep twig_spring;
+    WindrowSpringStep limb_springs[4];
+    WindrowSpringStep twig_springs[4];
+    WindrowFlutter flutter;
     uvec4 clock;  // x number of this frame; y 1: springs; z samples a pixel; w 1: needles
     vec4 bark;    // rgb; w how far its lines go across
     vec4 furrow;  // rgb; w [m] height of the middle of a tree of size 1
@@ -131,16 +134,31 @@ WindrowTreeLoads tree_loads(vec3 trunk, vec3 limb, vec3 twig, float scale) {
     return WindrowTreeLoads(trunk, limb, twig / max(scale, 1.0));
 }
 
+// A leaf card holds some ten leaves, each of which turns by itself: together they turn it by the root of a tenth of that. One that
+// stands for many cards has more of them.
+const float k_turned_by_leaves = 0.32;
+
+WindrowTreeVertex tree_turned_leaf(TreePlace place, TreeVertex vertex, float scale, vec4 phases, float speed,
+                                   WindrowTreeVertex rest) {
+    if (!is_leaf(vertex) || vertex.parts.y == k_no_part || !(kind.flutter.motion.x > 0.0))
+        return rest;
+    uvec2 hash = windrow_plant_hash(uvec2(vertex.parts.z, floatBitsToUint(place.turn.z)));
+    float angle = k_turned_by_leaves / max(scale, 1.0) * windrow_flutter_angle(kind.flutter, phases, hash, speed);
+    return windrow_leaf_turned(tree_part(place, vertex.parts.y), angle, rest);
+}
+
 // In this frame's wind and in the last one's, from the trunk's base; `scale` as tree_rest had it.
 WindrowTreeVertex tree_point(TreePlace place, TreeVertex vertex, WindrowTreeVertex rest, float scale) {
     WindrowTreeLoads loads = tree_loads(tree_state(place, 0u).now.xyz, tree_state(place, vertex.parts.x).now.xyz,
                                         tree_state(place, vertex.parts.y).now.xyz, scale);
+    rest = tree_turned_leaf(place, vertex, scale, kind.flutter.now, tree_state(place, vertex.parts.y).velocity.w, rest);
     return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y),
                              loads, rest);
 }
 WindrowTreeVertex tree_point_before(TreePlace place, TreeVertex vertex, WindrowTreeVertex rest, float scale) {
     WindrowTreeLoads loads = tree_loads(tree_state(place, 0u).before.xyz, tree_state(place, vertex.parts.x).before.xyz,
                                         tree_state(place, vertex.parts.y).before.xyz, scale);
+    rest = tree_turned_leaf(place, vertex, scale, kind.flutter.before, tree_state(place, vertex.parts.y).before.w, rest);
     return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y),
                              loads, rest);
 }

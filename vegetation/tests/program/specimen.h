@@ -71,7 +71,7 @@ inline constexpr const char* k_specimen = R"({
                    "hills": {"height": 2, "length": 25, "seed": 3}},
         "grass": [
             {"name": "wheat", "class": "wheat", "length": 0.7, "length_spread": 0.2, "width": 0.008, "tip_width": 0.3, "taper": 1.5,
-             "along_wind": 0.6, "stiffness_spread": 0.25, "rest_bend": 0.2, "rest_bend_spread": 0.15, "rest_curve": 0.8, "view_bend": 0.1,
+             "along_wind": 0.6, "stiffness_spread": 0.25, "rest_bend": 0.2, "rest_bend_spread": 0.15, "rest_curve": 0.8, "view_bend": 0.1, "twist": 0.2,
              "density": 7.5, "jitter": 0.9, "seed": 4294967295, "chunk_cells": 64, "split_distance": 20, "cut_distance": 80,
              "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "min_width": 0.001, "max_chunks": 200, "thin_from": 12, "thin_power": 1.2, "thin_widen": 0.6, "max_blades": 65536, "shadows": 2, "springs": false, "spring": {"frequency_hz": 1.5, "damping": 0.3}, "clump_size": 0.5,
              "clump_height": 0.3, "clump_lean": 0.4, "clump_fan": 0.2, "patch_size": 5, "patch_height": 0.25,
@@ -86,7 +86,7 @@ inline constexpr const char* k_specimen = R"({
                  {"erase": {"centre": [40, 20], "radius": 4.5, "strength": 0.9, "hardness": 0.6}}]}},
             {"name": "reeds", "class": "reed", "mask": {"file": "paths.pgm"}}
         ],
-        "trees": [{"kind": "birch", "seed": 9, "variants": 3, "springs": false, "places": [{"at": [1, 2], "size": 1.2, "yaw_deg": 30}],
+        "trees": [{"kind": "birch", "seed": 9, "variants": 3, "springs": false, "flutter": {"frequency_hz": 5, "most": 0.4, "onset": 2}, "places": [{"at": [1, 2], "size": 1.2, "yaw_deg": 30}],
                    "scatter": {"count": 5, "low": [-20, -30], "high": [40, 50], "apart": 3, "groves": 0.75, "grove_length": 30,
                                "size_spread": 0.125, "seed": 4, "clear": [{"centre": [3, 4], "radius": 6}]}}],
         "walkers": [

@@ -1,9 +1,14 @@
 // Blades with springs: the same motion at any frame rate, as the library's own spring has it in the wind that the blades felt, and
 // one motion of a blade in the picture and in its shadow.
+#include "coupling/motion_numerics.h"
+#include "coupling/plant_numerics.h"
 #include "coupling/spring.h"
 #include "tests/figure.h"
 #include "vegetation/tests/render/grass_stage.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -16,7 +21,7 @@ constexpr double k_settled = 1.0;              // [s] a spring of 3.5 Hz and a d
 
 using Series = std::vector<std::vector<glm::dvec2>>; // [frame][blade], bend [rad]
 
-Scene gusty_scene() {
+Scene gusty_scene(float detail) {
     Scene scene;
     scene.ground = {.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
     scene.wind.wind.cells = {8, 4, 8};
@@ -24,7 +29,7 @@ Scene gusty_scene() {
     scene.wind.wind.ambient = {3.4f, 0.0f, 4.2f}; // of examples/scenes/meadow.json
     scene.wind.wind.profile = {.roughness_length = 0.05f};
     scene.wind.wind.gusts = {.intensity = 0.4f, .length = 14.0f};
-    scene.wind.sampling = {.detail = 0.6f, .detail_length = 0.5f};
+    scene.wind.sampling = {.detail = detail, .detail_length = 0.5f};
     return scene;
 }
 
@@ -36,8 +41,8 @@ Camera camera_at_the_side() {
 }
 
 struct Swinging {
-    explicit Swinging(int shadows = 0)
-        : stage(gusty_scene(), {.width = 64, .height = 36, .samples = 1, .shadow_texels = 64, .anchor = k_corner}) {
+    explicit Swinging(int shadows = 0, float detail = 0.6f)
+        : stage(gusty_scene(detail), {.width = 64, .height = 36, .samples = 1, .shadow_texels = 64, .anchor = k_corner}) {
         const auto mask = *grass::PlacementMask::create({33, 33}, stage.scene.ground.heights.extent(), 1.0f);
         const grass::GrassSettings field{.density = 2.0f, .split_distance = 12.0f, .cut_distance = 30.0f, .max_chunks = 16};
         swings = &stage.grow(mask, {.field = field, .shadows = shadows});
@@ -54,9 +59,44 @@ struct Swinging {
         return found;
     }
 
+    // The band of springs of each blade.
+    std::vector<std::size_t> bands() {
+        const auto block =
+            std::bit_cast<windrow::numerics::WindrowBlade>(windrow::Blades::create(grass::GrassSettings{}.blade)->block());
+        std::vector<std::size_t> found;
+        for (const FieldBlade& blade : stage.values_of<FieldBlade>(swings->visible_blades(), stage.drawn(*swings)))
+            found.push_back(static_cast<std::size_t>(windrow::numerics::windrow_spring_band(
+                windrow::numerics::windrow_blade_quickness(block, {blade.traits.x, blade.traits.y}))));
+        return found;
+    }
+
     test::GrassStage stage;
     GrassLayer *swings = nullptr, *stiff = nullptr;
 };
+
+// The library's springs, one a blade, in the wind that the blades felt.
+struct Reference {
+    void step(const windrow::SpringClass& spring, const std::vector<glm::dvec2>& targets, double duration) {
+        if (place.empty()) {
+            place = before = targets;
+            velocity.assign(targets.size(), glm::dvec2(0.0));
+        }
+        const auto numbers = [](auto& vectors) { return std::span(&vectors.data()->x, 2 * vectors.size()); };
+        EXPECT_TRUE(windrow::advance_springs<double>(*windrow::spring_step(spring, duration),
+                                                     {numbers(place), numbers(velocity), numbers(before), numbers(targets)}));
+        before = targets;
+    }
+    std::vector<glm::dvec2> place, velocity, before;
+};
+
+// Root mean square of what lies between two motions.
+double apart(const Series& a, const Series& b) {
+    double sum = 0.0;
+    for (std::size_t n = 0; n < a.size(); ++n)
+        for (std::size_t blade = 0; blade < a[n].size(); ++blade)
+            sum += glm::dot(a[n][blade] - b[n][blade], a[n][blade] - b[n][blade]);
+    return std::sqrt(sum / static_cast<double>(a.size() * a.front().size()));
+}
 
 // What moves: root mean square about each blade's own mean.
 double moving_rms(const Series& series) {
@@ -122,26 +162,16 @@ TEST(GrassSwing, IsTheSpringOfTheLibraryInTheWindOfTheBlades) {
     constexpr int k_frames = 300;
     Swinging meadow;
     Series made, wanted, held;
-    std::vector<double> place, velocity, before;
-    const auto step = *windrow::spring_step(windrow::springs::grass, k_frame);
+    Reference spring;
     for (int frame = 0; frame < k_frames; ++frame) {
         meadow.step(k_frame);
         const std::vector<glm::dvec2> targets = meadow.bends(*meadow.stiff);
-        const std::span<const double> now(&targets.data()->x, 2 * targets.size());
-        if (frame == 0) {
-            place.assign(now.begin(), now.end());
-            velocity.assign(now.size(), 0.0);
-            before = place;
-        }
-        ASSERT_TRUE(windrow::advance_springs<double>(step, {place, velocity, before, now}));
-        before.assign(now.begin(), now.end());
+        spring.step(windrow::springs::grass, targets, k_frame);
         if (frame * k_frame < k_settled)
             continue;
         made.push_back(meadow.bends(*meadow.swings));
         held.push_back(targets);
-        auto& springs = wanted.emplace_back();
-        for (std::size_t n = 0; n < place.size(); n += 2)
-            springs.emplace_back(place[n], place[n + 1]);
+        wanted.push_back(spring.place);
     }
     const double rms = moving_rms(made) / moving_rms(wanted);
     windrow::test::figure("render/grass/swing_rms_of_the_spring", rms);
@@ -157,6 +187,40 @@ TEST(GrassSwing, IsTheSpringOfTheLibraryInTheWindOfTheBlades) {
     const double fast = 10.0 * std::log10(power_at(made, 8.0, k_frame) / power_at(held, 8.0, k_frame));
     windrow::test::figure("render/grass/swing_at_8_hz_of_stiff_db", fast);
     EXPECT_LT(fast, -20.0 * std::log10((8.0 / 3.5) * (8.0 / 3.5) - 1.0));
+}
+
+// A short blade is quicker than a long one: without detail it is the spring of its own band, but for the rounding of its state to
+// halves, and not that of its class.
+TEST(GrassSwing, HasItsOwnTime) {
+    constexpr double k_frame = 1.0 / 60.0;
+    Swinging meadow(0, 0.0f);
+    const windrow::SpringClass drawn = GrassLayerSettings{}.spring;
+    const auto bands = windrow::spring_bands(drawn);
+    Series made, in_one_time, in_own_times;
+    std::vector<std::size_t> band_of;
+    std::array<Reference, bands.size()> springs;
+    Reference alike;
+    for (int frame = 0; frame < 90; ++frame) {
+        meadow.step(k_frame);
+        const std::vector<glm::dvec2> targets = meadow.bends(*meadow.stiff);
+        if (frame == 0)
+            band_of = meadow.bands();
+        made.push_back(meadow.bends(*meadow.swings));
+        alike.step(drawn, targets, k_frame);
+        in_one_time.push_back(alike.place);
+        for (std::size_t band = 0; band < bands.size(); ++band)
+            springs[band].step(bands[band], targets, k_frame);
+        auto& own = in_own_times.emplace_back();
+        for (std::size_t n = 0; n < targets.size(); ++n)
+            own.push_back(springs[band_of[n]].place[n]);
+    }
+    for (std::size_t band = 0; band < bands.size(); ++band)
+        EXPECT_GT(std::ranges::count(band_of, band), 20) << band;
+    const double moving = moving_rms(in_own_times);
+    WINDROW_EXPECT_FIGURE("render/grass/swing_off_springs_of_own_times", apart(made, in_own_times) / moving, 0.005);
+    const double off_class = apart(made, in_one_time) / moving;
+    windrow::test::figure("render/grass/swing_off_springs_of_one_time", off_class);
+    EXPECT_GT(off_class, 0.02);
 }
 
 TEST(GrassSwing, IsOneInThePictureAndInItsShadow) {

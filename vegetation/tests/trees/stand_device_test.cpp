@@ -37,6 +37,7 @@ TEST(TreeStand, VerticesAreThoseOfTheLibrarysTree) {
         Stage stage(wind, 0.0f);
         TreeStandSettings settings = one(kind, false);
         settings.kind.levels.min_angle = 1e-5f; // twigs have all of their thickness
+        settings.flutter.most = 0.0f;
         stage.plant(settings);
         stage.draw(camera_at(0.0, 0.0));
         const TreeModel& model = stage.stand->model(0);
@@ -181,6 +182,52 @@ TEST(TreeStand, MotionIsTheDifferenceOfProjectedPlaces) {
 
 // Trees behind the eye and beyond all shadows cost no vertex; a far stand stays within its bound.
 // A crown that began upright would ring for seconds.
+// In an even wind nothing else moves: leaves beyond the onset, and wood and needles never. A card turns by the mean of its leaves.
+TEST(TreeStand, LeavesFlutterBeyondTheOnset) {
+    for (const auto& [kind, wind, flutters] :
+         {std::tuple{"birch", 1.2f, false}, {"birch", 6.0f, true}, {"spruce", 6.0f, false}}) {
+        Stage stage({wind, 0.0f, 0.0f}, 0.0f);
+        const TreeStandSettings settings = one(kind, true);
+        stage.plant(settings);
+        stage.draw(camera_at(0.0, 0.0));
+        std::vector<glm::vec4> first(stage.probe->count());
+        for (std::size_t n = 0; n < first.size(); ++n)
+            first[n] = stage.probe->now(n);
+        for (int n = 0; n < 3; ++n)
+            stage.draw(camera_at(0.0, 0.0));
+        double wood = 0.0, leaves = 0.0, most = 0.0;
+        int moved = 0, cards = 0;
+        const TreeModel& model = stage.stand->model(0);
+        for (std::size_t n = 0; n < first.size(); ++n) {
+            const ModelVertex& vertex = model.vertices[n];
+            const double by = static_cast<double>(glm::length(glm::vec3(stage.probe->now(n)) - glm::vec3(first[n])));
+            if (vertex.parts.w == 0u) {
+                wood = std::max(wood, by);
+                continue;
+            }
+            const windrow::TreePart twig = model.part(vertex.parts.y);
+            const glm::vec3 off = glm::vec3(vertex.position) - twig.root;
+            const double radius = static_cast<double>(glm::length(off - glm::dot(off, twig.axis) * twig.axis));
+            leaves = std::max(leaves, by);
+            if (radius > 0.05) { // [m]
+                most = std::max(most, by / radius);
+                moved += by > 0.005 * radius ? 1 : 0;
+                ++cards;
+            }
+        }
+        EXPECT_LE(wood, 1e-5) << kind << ' ' << wind; // [m] rounding at 8 m
+        ASSERT_GT(cards, 100);
+        if (!flutters) {
+            EXPECT_LE(leaves, 1e-5) << kind << ' ' << wind;
+            continue;
+        }
+        // 2 times 0.32 of the class's 0.6 rad from side to side; a tenth of a second is half a turn.
+        windrow::test::figure("trees/flutter/cards_that_move", static_cast<double>(moved) / cards);
+        EXPECT_GT(moved, 0.9 * cards);
+        WINDROW_EXPECT_FIGURE("trees/flutter/largest_turn_rad", most / 0.9, 2.0 * 0.32 * 0.6); // its size is 0.9
+    }
+}
+
 TEST(TreeStand, BeginsAtWhatTheWindHolds) {
     Stage stage({9.0f, 0.0f, 2.0f}, 0.2f);
     stage.plant(one("oak", true));

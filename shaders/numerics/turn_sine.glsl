@@ -6,7 +6,7 @@
 #define WINDROW_FN
 #endif
 
-#include "../../../shaders/numerics/stem.glsl"
+#include "stem.glsl"
 
 // sin 2 pi x.
 WINDROW_FN float windrow_turn_sine(float x) {
