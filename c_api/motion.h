@@ -40,8 +40,8 @@ WINDROW_C_API windrow_result windrow_spring_step_block(const windrow_spring_step
 /* A frame of `duration` [s] for plants that swing on a device (windrow_blade_swing of windrow_plants.glsl). */
 WINDROW_C_API windrow_result windrow_swing_step_make(const windrow_spring_class* spring, double duration,
                                                      windrow_swing_block* block);
-/* The class's four bands: windrow_spring_band of numerics/spring.glsl says which one a plant has. */
-WINDROW_C_API windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class bands[4]);
+/* The class's bands, four of them: windrow_spring_band of numerics/spring.glsl says which one a plant has. */
+WINDROW_C_API windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class* bands);
 
 /* Leaves that turn to and fro about their stalks (numerics/flutter.glsl). */
 typedef struct windrow_flutter_class {

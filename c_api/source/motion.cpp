@@ -119,7 +119,7 @@ WINDROW_EXPORT windrow_result windrow_swing_step_make(const windrow_spring_class
         return done(made);
     });
 }
-WINDROW_EXPORT windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class bands[4]) {
+WINDROW_EXPORT windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class* bands) {
     return call({{spring, "spring"}, {bands, "bands"}}, [&]() -> windrow_result {
         const std::array<SpringClass, 4> made = spring_bands(plain(*spring));
         for (std::size_t band = 0; band < made.size(); ++band)
