@@ -175,7 +175,7 @@ Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, doub
         const double now = hz * time, before = hz * (time - duration);
         block.now[n] = static_cast<float>(now - std::floor(now));
         block.before[n] = static_cast<float>(before - std::floor(before));
-        block.shown[n] = static_cast<float>(std::clamp(2.0 - 4.0 * hz * duration, 0.0, 1.0));
+        block.shown[n] = static_cast<float>(std::clamp(4.0 - 8.0 * hz * duration, 0.0, 1.0));
     }
     return block;
 }

@@ -97,7 +97,7 @@ struct FlutterClass {
 
 [[nodiscard]] WINDROW_API Result<void> validate(const FlutterClass& flutter);
 
-/// A frame that ends at `time` [s] and began `duration` [s] before. A band fades from a quarter of the frame rate on and is still
+/// A frame that ends at `time` [s] and began `duration` [s] before. A band fades from three eighths of the frame rate on and is still
 /// from half of it on, where it would be seen as noise. Rejects a class out of range, a time or a duration that is not finite and
 /// a negative duration.
 [[nodiscard]] WINDROW_API Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration);

@@ -2,6 +2,7 @@
 // those of the plants and the grass, light on a leaf is the renderer's.
 #pragma once
 
+#include "../../coupling/plant_numerics.h"
 #include "../render/light_numerics.h"
 
 #include <glm/ext/vector_int3.hpp>
@@ -15,6 +16,8 @@ using windrow::numerics::windrow_fraction;
 using windrow::numerics::windrow_mask_power;
 using windrow::numerics::windrow_plant_hash;
 using windrow::numerics::windrow_sine_fraction;
+using windrow::numerics::windrow_turn_cosine;
+using windrow::numerics::windrow_turn_sine;
 #include "../shaders/numerics/cloud_shells.glsl"
 #include "../shaders/numerics/strand_light.glsl"
 } // namespace windrow::vegetation::fur::numerics
