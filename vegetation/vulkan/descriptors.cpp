@@ -23,13 +23,18 @@ void write(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkD
 
 VkDescriptorSetLayout make_layout(Objects& objects, std::span<const Binding> bindings) {
     std::vector<VkDescriptorSetLayoutBinding> list;
-    for (const Binding& binding : bindings)
+    SharedKey key(SharedKind::set_layout);
+    for (const Binding& binding : bindings) {
         list.push_back({static_cast<std::uint32_t>(list.size()), binding.type, 1, binding.stages, nullptr});
+        key.add(binding.type).add(binding.stages);
+    }
     VkDescriptorSetLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = static_cast<std::uint32_t>(list.size());
     info.pBindings = list.data();
-    return objects.make(vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, info, "vkCreateDescriptorSetLayout");
+    return objects.shared(key, [&](Objects& owner) {
+        return owner.make(vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, info, "vkCreateDescriptorSetLayout");
+    });
 }
 
 void make_sets(Objects& objects, VkDescriptorSetLayout layout, std::span<const Binding> bindings,

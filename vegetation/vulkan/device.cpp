@@ -50,6 +50,7 @@ struct Device::State {
     std::string name{};
     bool counts_vertices = false;
     std::optional<BufferMemory> memory{};
+    SharedObjects shared{};
 
     /// A batch of uploads: its staging buffers end when the frame that copies them is done.
     struct Batch {
@@ -126,6 +127,9 @@ VkDeviceSize Device::memory_bytes() const {
 }
 VkDeviceSize Device::reserved_bytes() const {
     return state_->memory->taken();
+}
+SharedObjects& Device::shared_objects() {
+    return state_->shared;
 }
 BufferMemory& Device::memory() const {
     return *state_->memory;

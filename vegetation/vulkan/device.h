@@ -9,6 +9,7 @@
 #pragma once
 
 #include "failure.h"
+#include "shared_objects.h"
 
 #include <array>
 #include <cstddef>
@@ -89,6 +90,9 @@ class Device {
     }
     /// Makes what the device has written to a read-back visible to the host, once the frame is done.
     [[nodiscard]] const void* read_back(const Buffer& buffer) const;
+
+    /// Layouts, render passes and pipelines of all objects.
+    [[nodiscard]] SharedObjects& shared_objects();
 
     /// [bytes] Device memory of all objects, and what the blocks hold that it is cut from.
     [[nodiscard]] VkDeviceSize memory_bytes() const;

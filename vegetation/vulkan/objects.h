@@ -2,6 +2,7 @@
 #pragma once
 
 #include "device.h"
+#include "shared_objects.h"
 
 #include <span>
 
@@ -61,6 +62,17 @@ class Objects {
         must(create(device_->handle(), &info, callbacks, &made), call);
         at_end([destroy, vulkan = device_->handle(), made, callbacks] { destroy(vulkan, made, callbacks); });
         return made;
+    }
+    /// An object that others on this device use as well: theirs, or what `make` makes with the Objects that it is given.
+    template <class Make>
+    [[nodiscard]] auto shared(const SharedKey& key, const Make& make) {
+        using Handle = std::invoke_result_t<Make, Objects&>;
+        const auto found =
+            device_->shared_objects().find(*this, key, [&](Objects& owner) { return bits_of<Handle>(make(owner)); });
+        if (!found)
+            return make(*this);
+        at_end([found] {}); // used until then
+        return handle_of<Handle>(found->handle);
     }
     void at_end(std::function<void()> destroy) { destroy_.push_back(std::move(destroy)); }
 

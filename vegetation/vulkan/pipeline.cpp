@@ -23,20 +23,7 @@ VkPipeline keep(Objects& objects, Create create, const Info& info, const char* c
     return made;
 }
 
-} // namespace
-
-VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets, std::uint32_t push_bytes) {
-    const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, push_bytes};
-    VkPipelineLayoutCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
-    info.pSetLayouts = sets.data();
-    info.pushConstantRangeCount = 1;
-    info.pPushConstantRanges = &range;
-    return objects.make(vkCreatePipelineLayout, vkDestroyPipelineLayout, info, "vkCreatePipelineLayout");
-}
-
-VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe) {
+VkPipeline make_alone(Objects& objects, const PipelineRecipe& recipe) {
     Objects shaders(objects.device()); // end with this function
     std::vector<VkPipelineShaderStageCreateInfo> stages;
     stages.push_back(vulkan::stage_of(VK_SHADER_STAGE_VERTEX_BIT, make_module(shaders, recipe.vertex)));
@@ -62,13 +49,45 @@ VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe) {
     return keep(objects, vkCreateGraphicsPipelines, state.info(), "vkCreateGraphicsPipelines");
 }
 
+} // namespace
+
+VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets, std::uint32_t push_bytes) {
+    const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, push_bytes};
+    VkPipelineLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
+    info.pSetLayouts = sets.data();
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &range;
+    SharedKey key(SharedKind::pipeline_layout);
+    key.add(push_bytes);
+    for (const VkDescriptorSetLayout set : sets)
+        key.add_part(SharedKind::set_layout, set);
+    return objects.shared(key, [&](Objects& owner) {
+        return owner.make(vkCreatePipelineLayout, vkDestroyPipelineLayout, info, "vkCreatePipelineLayout");
+    });
+}
+
+VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe) {
+    SharedKey key(SharedKind::pipeline);
+    key.add_words(recipe.vertex).add_words(recipe.fragment).add_words(recipe.constants);
+    key.add_part(SharedKind::pipeline_layout, recipe.layout).add_part(SharedKind::render_pass, recipe.target.render_pass);
+    key.add(recipe.target.samples).add(recipe.target.colours).add(recipe.target.depth);
+    key.add(recipe.topology).add(recipe.writes_depth).add(recipe.writes_colour).add(recipe.bias);
+    return objects.shared(key, [&](Objects& owner) { return make_alone(owner, recipe); });
+}
+
 VkPipeline make_compute_pipeline(Objects& objects, VkPipelineLayout layout, std::span<const std::uint32_t> words) {
-    Objects shaders(objects.device());
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage = vulkan::stage_of(VK_SHADER_STAGE_COMPUTE_BIT, make_module(shaders, words));
-    info.layout = layout;
-    return keep(objects, vkCreateComputePipelines, info, "vkCreateComputePipelines");
+    SharedKey key(SharedKind::pipeline);
+    key.add_words(words).add_part(SharedKind::pipeline_layout, layout);
+    return objects.shared(key, [&](Objects& owner) {
+        Objects shaders(owner.device());
+        VkComputePipelineCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+        info.stage = vulkan::stage_of(VK_SHADER_STAGE_COMPUTE_BIT, make_module(shaders, words));
+        info.layout = layout;
+        return keep(owner, vkCreateComputePipelines, info, "vkCreateComputePipelines");
+    });
 }
 
 } // namespace windrow::vegetation::engine

@@ -9,6 +9,7 @@ RenderPass::RenderPass(Objects& objects, VkExtent2D extent, std::span<const Atta
     std::vector<VkAttachmentDescription> descriptions;
     std::vector<VkAttachmentReference> colours, resolves;
     std::vector<VkImageView> views;
+    SharedKey key(SharedKind::render_pass);
     VkAttachmentReference depth{VK_ATTACHMENT_UNUSED, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
     for (const Attachment& attachment : attachments) {
         const auto number = static_cast<std::uint32_t>(descriptions.size());
@@ -21,6 +22,7 @@ RenderPass::RenderPass(Objects& objects, VkExtent2D extent, std::span<const Atta
         made.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
         made.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
         made.finalLayout = attachment.end;
+        key.add(attachment.role).add(made.format).add(made.samples).add(made.loadOp).add(made.storeOp).add(made.finalLayout);
         descriptions.push_back(made);
         views.push_back(attachment.view);
         if (attachment.role == Attachment::Role::depth) {
@@ -54,7 +56,8 @@ RenderPass::RenderPass(Objects& objects, VkExtent2D extent, std::span<const Atta
     info.pSubpasses = &subpass;
     info.dependencyCount = 2;
     info.pDependencies = dependencies;
-    render_pass_ = objects.make(vkCreateRenderPass, vkDestroyRenderPass, info, "vkCreateRenderPass");
+    render_pass_ = objects.shared(
+        key, [&](Objects& owner) { return owner.make(vkCreateRenderPass, vkDestroyRenderPass, info, "vkCreateRenderPass"); });
 
     VkFramebufferCreateInfo frame_info{};
     frame_info.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
