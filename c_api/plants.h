@@ -81,6 +81,7 @@ typedef struct windrow_blade_settings {
     float rest_curve;
     float view_bend; /* [rad] */
     float twist;
+    uint32_t reserved_2; /* 0 */
 } windrow_blade_settings;
 WINDROW_C_API windrow_result windrow_blade_settings_init(windrow_blade_settings* settings, uint32_t struct_size);
 

@@ -33,9 +33,9 @@ SIZE = (128, 72)
 # [s] A moment at which fans blow, walkers have moved and coats have come along. All pictures together have 90 s of two cores, and a
 # software device takes most of them for steps of the wind and for what plants prepare in each frame before the picture.
 MOMENT = 0.2
-# Who walks or runs there comes later, as does what is blown; a step of the village's wind takes 1.7 s.
-MOMENTS = {"wolf": 1.3, "looks/tall": 1.0, "looks/path": 1.0, "wake": 1.0, "downwash": 0.4, "fur/fan": 0.4, "village": 0.1}
-LONGEST_FRAME = 0.5  # [s]
+# Who walks or runs there comes later, as does what is blown; the village's wind is one step, since one takes 2 s and more.
+MOMENTS = {"wolf": 1.3, "looks/tall": 1.0, "looks/path": 1.0, "wake": 1.0, "downwash": 0.3, "fur/fan": 0.3, "village": 0.05}
+LONGEST_FRAME = 0.7  # [s]
 # As in golden_test.cpp, on one device: the software one. One machine draws the same bytes each time, with 1 or 2 threads.
 # Instructions of a processor without AVX are a mean of 3.6e-4 (looks/wind); other compilers round otherwise as well, hence fifty
 # times that. A sun turned by 3 degrees is 0.98 (looks/low) to 1.9 (looks/wind), a wind turned by 10 degrees 0.32 (a breath of
