@@ -11,8 +11,12 @@ cross-fades of one length. A shot has
 
 A run that is stopped, in whatever way, goes on by the same command: pictures are written whole, and those that are there are kept
 while program, scene and flags are the same. Needs ffmpeg; a software device draws 640 x 360 at one to three seconds a frame.
+
+Several shots are drawn at a time (--jobs), since a frame leaves cores idle: a software device makes vertices by one thread, and a
+GPU waits while a picture is packed. The pictures' bytes are the same.
 """
 import argparse
+import concurrent.futures
 import copy
 import hashlib
 import json
@@ -22,6 +26,7 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -83,6 +88,31 @@ def hash_of(*files):
     return made.hexdigest()
 
 
+class Programs:
+    """Those that run now; all end where one of them fails or this one is stopped."""
+
+    def __init__(self):
+        self.lock, self.running, self.ended = threading.Lock(), set(), False
+
+    def run(self, command):
+        """Its exit code and output; None where all have been ended."""
+        with self.lock:
+            if self.ended:
+                return None, ""
+            program = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+            self.running.add(program)
+        output, _ = program.communicate()
+        with self.lock:
+            self.running.remove(program)
+            return None if self.ended else program.returncode, output
+
+    def end(self):
+        with self.lock:
+            self.ended = True
+            for program in self.running:
+                program.terminate()
+
+
 class Shot:
     def __init__(self, number, shot, options):
         self.name = f"{number:02d}_{shot['scene'].split('/')[-1]}"
@@ -95,7 +125,7 @@ class Shot:
     def missing(self):
         return [n for n in range(self.first, self.first + self.count) if not (self.frames / f"frame_{n:04d}.png").is_file()]
 
-    def draw(self, program_hash):
+    def draw(self, program_hash, programs):
         text = scene_of(self.about)
         self.scene.write_text(text, encoding="utf-8")
         flags = ["--fps", str(self.options.fps), "--from", repr(self.first / self.options.fps), "--frames", str(self.count),
@@ -112,12 +142,25 @@ class Shot:
         if missing == 0:
             return
         begin = time.monotonic()
-        run = subprocess.run([self.options.program, self.scene, *flags, "--resume", "--out", self.frames], check=False,
-                             stdout=subprocess.PIPE, text=True)
-        if run.returncode != 0 or self.missing():
-            print(run.stdout, end="")
+        code, output = programs.run([self.options.program, self.scene, *flags, "--resume", "--out", self.frames])
+        if code is None:
+            return
+        if code != 0 or self.missing():
+            print(output, end="")
             raise Fault(f"{self.name} was not drawn whole; see above.")
-        print(f"   {(time.monotonic() - begin) / missing:.2f} s a frame", flush=True)
+        print(f"   {self.name}: {(time.monotonic() - begin) / missing:.2f} s a frame", flush=True)
+
+
+def draw_all(shots, jobs, program_hash):
+    programs = Programs()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        try:
+            for drawn in concurrent.futures.as_completed([pool.submit(shot.draw, program_hash, programs) for shot in shots]):
+                drawn.result()
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            programs.end()
+            raise
 
 
 def inputs_and_filter(shots, fade, fps, ending):
@@ -187,6 +230,7 @@ def options_of(arguments):
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--edit", type=pathlib.Path, default=ROOT / "tools" / "film.json")
     parser.add_argument("--webp", type=pathlib.Path, help="a small film for a page too: 480 px wide, 12 frames a second")
+    parser.add_argument("--jobs", type=int, default=min(os.cpu_count() or 1, 4), help="shots drawn at a time; default: one a core, 4 at most")
     parser.add_argument("--frames-only", action="store_true", help="draw, and do not cut")
     try:
         options = parser.parse_args(arguments)
@@ -197,6 +241,8 @@ def options_of(arguments):
         raise Fault(f"--size is {options.size}; give it as 1920x1080, with even sides.")
     if not 1 <= options.fps <= 240:
         raise Fault(f"--fps is {options.fps}; give 1 to 240.")
+    if not 1 <= options.jobs <= 64:
+        raise Fault(f"--jobs is {options.jobs}; give 1 to 64.")
     if not options.frames_only and shutil.which("ffmpeg") is None:
         raise Fault("ffmpeg is not installed; install Debian's package ffmpeg, or draw alone by --frames-only.")
     return options
@@ -211,8 +257,7 @@ def main():
     program_hash = hash_of(options.program)
     for shot in film["shots"]:
         scene_of(shot)  # a fault of the last shot is found before the first is drawn
-    for shot in shots:
-        shot.draw(program_hash)
+    draw_all(shots, options.jobs, program_hash)
     if not options.frames_only:
         cut(shots, film["fade"], options)
 

@@ -78,7 +78,7 @@ class Film(unittest.TestCase):
 
     def test_wrong_use_is_one_sentence(self):
         (self.folder / "long.json").write_text('{"small": {"fade": 0.5, "shots": [{"scene": "looks/low", "from": 2, "seconds": 1.5}]}}')
-        for flags in (("--edit", str(self.folder / "long.json")), ("--size", "64"), ("--size", "65x37"), ("--fps", "0"), ("--fps", "x"), ("--edit", str(self.folder / "bad.json"))):
+        for flags in (("--edit", str(self.folder / "long.json")), ("--size", "64"), ("--size", "65x37"), ("--fps", "0"), ("--fps", "x"), ("--jobs", "0"), ("--edit", str(self.folder / "bad.json"))):
             with self.subTest(flags):
                 (self.folder / "bad.json").write_text('{"small": {"fade": 0.5, "shots": [{"scene": "none", "from": 0, "seconds": 2}]}}')
                 run = self.run_film("wrong", "--frames-only", *flags)
