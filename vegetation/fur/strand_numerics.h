@@ -2,13 +2,16 @@
 // those of the plants and the grass, light on a leaf is the renderer's.
 #pragma once
 
-#include "../../coupling/plant_numerics.h"
 #include "../render/light_numerics.h"
 
 #include <glm/ext/vector_int3.hpp>
 #include <glm/vector_relational.hpp>
 
 #define WINDROW_FN inline
+namespace windrow::numerics {
+using namespace glm;
+#include "../../shaders/numerics/turn_sine.glsl"
+} // namespace windrow::numerics
 namespace windrow::vegetation::fur::numerics {
 using namespace glm;
 using render::numerics::windrow_half_lambert;
