@@ -40,14 +40,17 @@ WINDROW_C_API windrow_result windrow_spring_step_block(const windrow_spring_step
 /* A frame of `duration` [s] for plants that swing on a device (windrow_blade_swing of windrow_plants.glsl). */
 WINDROW_C_API windrow_result windrow_swing_step_make(const windrow_spring_class* spring, double duration,
                                                      windrow_swing_block* block);
-/* The class's bands, four of them: windrow_spring_band of numerics/spring.glsl says which one a plant has. */
+/* Its four bands, whose frequencies are the class's times 2^(-3/8), 2^(-1/8), 2^(1/8) and 2^(3/8): windrow_spring_band of
+   numerics/spring.glsl says which one a plant has. `bands` and `blocks` have room for four. */
 WINDROW_C_API windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class* bands);
+WINDROW_C_API windrow_result windrow_swing_steps_make(const windrow_spring_class* spring, double duration,
+                                                      windrow_swing_block* blocks);
 
 /* Leaves that turn to and fro about their stalks (numerics/flutter.glsl). */
 typedef struct windrow_flutter_class {
-    double frequency_hz; /* [Hz] */
-    float most;          /* [rad] */
-    float onset;         /* [m/s] */
+    double frequency_hz; /* [Hz] 1e-4 to 1000; default 6 */
+    float most;          /* [rad] 0 to 1.5; default 0.6 */
+    float onset;         /* [m/s] 0 to 100; default 1.6 */
 } windrow_flutter_class;
 /* A frame of `duration` [s] that ends at `time` [s]. A null class: the default. */
 WINDROW_C_API windrow_result windrow_flutter_step_make(const windrow_flutter_class* flutter, double time, double duration,

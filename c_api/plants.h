@@ -79,8 +79,8 @@ typedef struct windrow_blade_settings {
     float rest_bend;        /* [rad] */
     float rest_bend_spread; /* [rad] */
     float rest_curve;
-    float view_bend; /* [rad] */
-    float twist;
+    float view_bend;     /* [rad] */
+    float twist;         /* of the tip over its bend, 0 to 2 */
     uint32_t reserved_2; /* 0 */
 } windrow_blade_settings;
 WINDROW_C_API windrow_result windrow_blade_settings_init(windrow_blade_settings* settings, uint32_t struct_size);

@@ -93,7 +93,7 @@ typedef struct windrow_swing_block {
     windrow_vec4 parts;
 } windrow_swing_block;
 typedef struct windrow_flutter_block {
-    windrow_vec4 motion, now, before, shown;
+    windrow_vec4 motion, now, before;
 } windrow_flutter_block;
 typedef struct windrow_pose_block {
     windrow_vec4 place, rotation;

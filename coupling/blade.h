@@ -67,7 +67,9 @@ struct BladeSettings {
                 "Added to the own bend when seen from straight above; 0.5 covers ground that would show between upright blades."),
             Setting(
                 "twist", &BladeSettings::twist, {0.0, 2.0},
-                "Turn of the tip toward a wind that blows against its corner, over the bend that the wind holds. 0: none. A "
+                "Turn of the tip toward a wind that blows against its corner, over its bend, by wind, walkers or a spring. 0: "
+                "none, as for "
+                "stems; so a scene has it for classes of stems. A "
                 "strip has 3/4 of its width over its length times the ratio of its stiffnesses, bending over twisting: 0.3 for "
                 "4 mm on 0.3 m and a ratio of 30. Stems of tulips and daffodils have 8 and 13 (Etnier & Vogel 2000, Am. J. Bot. "
                 "87, 29); that of a channelled blade is ours."),

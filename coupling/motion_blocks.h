@@ -25,9 +25,8 @@ struct FlutterBlock {
     glm::vec4 motion{0.0f}; ///< x [rad] most, y [m/s] wind from which on, zw 0
     glm::vec4 now{0.0f};    ///< turns of each band, 0 to 1
     glm::vec4 before{0.0f}; ///< a frame ago
-    glm::vec4 shown{0.0f};  ///< fraction of each band's motion that the frame rate can show
 };
-static_assert(sizeof(FlutterBlock) == 64);
+static_assert(sizeof(FlutterBlock) == 48);
 
 /// A stage of a cascade, or the body: WindrowPose of shaders/numerics/cascade.glsl.
 struct PoseBlock {

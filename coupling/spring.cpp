@@ -106,7 +106,9 @@ Result<void> validate(const SpringClass& spring) {
     return detail::validate_settings(spring, "spring");
 }
 
-std::array<SpringClass, 4> spring_bands(const SpringClass& spring) {
+Result<std::array<SpringClass, 4>> spring_bands(const SpringClass& spring) {
+    if (auto valid = validate(spring); !valid)
+        return Error{valid.error()};
     constexpr double k_steps[] = {0.77110541270397037, 0.91700404320467121, 1.0905077326652577, 1.2968395546510096};
     std::array<SpringClass, 4> bands;
     for (std::size_t n = 0; n < bands.size(); ++n)
@@ -139,14 +141,17 @@ SpringBlock SpringStep::block() const {
     return block;
 }
 
-Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
+namespace {
+
+// A frame of `spring`, whose ripples are filtered as those of its class, of `class_hz`, are.
+Result<SwingBlock> filtered_swing_step(const SpringClass& spring, double class_hz, double duration) {
     constexpr double k_part = 1.0 / 60.0, k_most_parts = 8.0; // ripples pass a blade several times a second
     const double parts = std::clamp(std::ceil(duration / k_part - 1e-6), 1.0, k_most_parts);
     const auto step = spring_step(spring, duration / parts);
     if (!step)
         return Error{step.error()};
     constexpr double k_butterworth = 0.70710678118654752; // damping of the flattest filter of two poles
-    const double passed_hz = 6.0 / 7.0 * spring.frequency_hz, shown_hz = duration > 0.0 ? 0.15 / duration : passed_hz;
+    const double passed_hz = 6.0 / 7.0 * class_hz, shown_hz = duration > 0.0 ? 0.15 / duration : passed_hz;
     const auto filter = spring_step({std::clamp(shown_hz, 1e-4, std::max(passed_hz, 1e-4)), k_butterworth}, duration / parts);
     if (!filter)
         return Error{filter.error()};
@@ -155,6 +160,26 @@ Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
     block.smoothing = filter->block();
     block.parts = {static_cast<float>(parts), static_cast<float>(duration / parts), 0.0f, 0.0f};
     return block;
+}
+
+} // namespace
+
+Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
+    return filtered_swing_step(spring, spring.frequency_hz, duration);
+}
+
+Result<std::array<SwingBlock, 4>> swing_steps(const SpringClass& spring, double duration) {
+    const auto bands = spring_bands(spring);
+    if (!bands)
+        return Error{bands.error()};
+    std::array<SwingBlock, 4> blocks;
+    for (std::size_t n = 0; n < blocks.size(); ++n) {
+        const auto block = filtered_swing_step((*bands)[n], spring.frequency_hz, duration);
+        if (!block)
+            return Error{block.error()};
+        blocks[n] = *block;
+    }
+    return blocks;
 }
 
 Result<void> validate(const FlutterClass& flutter) {
@@ -169,13 +194,12 @@ Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, doub
                                      " s: give finite numbers, and a duration of 0 or more.")};
     FlutterBlock block;
     block.motion = {flutter.most, flutter.onset, 0.0f, 0.0f};
-    const auto bands = spring_bands({flutter.frequency_hz, 0.0});
+    const auto bands = *spring_bands({flutter.frequency_hz, 0.0}); // of a valid frequency
     for (int n = 0; n < 4; ++n) {
         const double hz = bands[static_cast<std::size_t>(n)].frequency_hz;
         const double now = hz * time, before = hz * (time - duration);
         block.now[n] = static_cast<float>(now - std::floor(now));
         block.before[n] = static_cast<float>(before - std::floor(before));
-        block.shown[n] = static_cast<float>(std::clamp(4.0 - 8.0 * hz * duration, 0.0, 1.0));
     }
     return block;
 }

@@ -51,9 +51,10 @@ inline constexpr SpringClass trunk{0.3, 0.08};
 /// Rejects a frequency or a damping that is out of range or NaN.
 [[nodiscard]] WINDROW_API Result<void> validate(const SpringClass& spring);
 
-/// Springs of plants of one class: its frequency times 2^(-3/8), 2^(-1/8), 2^(1/8) and 2^(3/8), its damping. Plants of all four
-/// swing apart after a gust; windrow_spring_band of shaders/numerics/spring.glsl says which one a plant has.
-[[nodiscard]] WINDROW_API std::array<SpringClass, 4> spring_bands(const SpringClass& spring);
+/// Springs of plants of one class: its frequency times 2^(-3/8), 2^(-1/8), 2^(1/8) and 2^(3/8), kept within a class's range, and its
+/// damping. Plants of all four swing apart after a gust; windrow_spring_band of shaders/numerics/spring.glsl says which one a plant
+/// has. Rejects as `validate`.
+[[nodiscard]] WINDROW_API Result<std::array<SpringClass, 4>> spring_bands(const SpringClass& spring);
 
 /// The six coefficients of a step (spring.glsl), in double.
 struct WINDROW_API SpringStep {
@@ -77,6 +78,8 @@ struct WINDROW_API SpringStep {
 /// spring's frequency, 3 Hz for grass; or to 0.15 of the frame rate where that is lower, as below 20 a second: what faster ones do
 /// would be seen as noise. Rejects as `spring_step`.
 [[nodiscard]] WINDROW_API Result<SwingBlock> swing_step(const SpringClass& spring, double duration);
+/// The same of the class's four bands, in their order; one filter for all, that of the class.
+[[nodiscard]] WINDROW_API Result<std::array<SwingBlock, 4>> swing_steps(const SpringClass& spring, double duration);
 
 /// Leaves that turn to and fro about their stalks (shaders/numerics/flutter.glsl).
 struct FlutterClass {
@@ -97,9 +100,8 @@ struct FlutterClass {
 
 [[nodiscard]] WINDROW_API Result<void> validate(const FlutterClass& flutter);
 
-/// A frame that ends at `time` [s] and began `duration` [s] before. A band fades from three eighths of the frame rate on and is still
-/// from half of it on, where it would be seen as noise. Rejects a class out of range, a time or a duration that is not finite and
-/// a negative duration.
+/// A frame that ends at `time` [s] and began `duration` [s] before: the same turns at any frame rate. Rejects a class out of range, a
+/// time or a duration that is not finite and a negative duration.
 [[nodiscard]] WINDROW_API Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration);
 
 /// Springs side by side: component i of each array belongs to spring i. A vector's components are springs of their own.

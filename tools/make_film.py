@@ -24,6 +24,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -262,7 +263,13 @@ def main():
         cut(shots, film["fade"], options)
 
 
+def stop(*_):
+    raise KeyboardInterrupt
+
+
 if __name__ == "__main__":
+    for stopped in (signal.SIGTERM, signal.SIGHUP):  # as Ctrl-C: the programs end too
+        signal.signal(stopped, stop)
     try:
         main()
     except Fault as fault:

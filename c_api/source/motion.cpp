@@ -120,11 +120,22 @@ WINDROW_EXPORT windrow_result windrow_swing_step_make(const windrow_spring_class
     });
 }
 WINDROW_EXPORT windrow_result windrow_spring_bands(const windrow_spring_class* spring, windrow_spring_class* bands) {
-    return call({{spring, "spring"}, {bands, "bands"}}, [&]() -> windrow_result {
-        const std::array<SpringClass, 4> made = spring_bands(plain(*spring));
-        for (std::size_t band = 0; band < made.size(); ++band)
-            write_fields(made[band], bands[band]);
-        return WINDROW_OK;
+    return call({{spring, "spring"}, {bands, "bands"}}, [&] {
+        const auto made = spring_bands(plain(*spring));
+        if (made)
+            for (std::size_t band = 0; band < made->size(); ++band)
+                write_fields((*made)[band], bands[band]);
+        return done(made);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_swing_steps_make(const windrow_spring_class* spring, double duration,
+                                                       windrow_swing_block* blocks) {
+    return call({{spring, "spring"}, {blocks, "blocks"}}, [&] {
+        const auto made = swing_steps(plain(*spring), duration);
+        if (made)
+            for (std::size_t band = 0; band < made->size(); ++band)
+                copy_block((*made)[band], &blocks[band]);
+        return done(made);
     });
 }
 WINDROW_EXPORT windrow_result windrow_flutter_step_make(const windrow_flutter_class* flutter, double time, double duration,

@@ -5,8 +5,8 @@
 //                wide axis
 //   own bend     toward f: a base, a spread by chance, and more the steeper one looks down on it, so that grass seen from above
 //                is no dots
-//   twist        the face turns to the wind by tau(h) = tau (2 h - h^2), tau = k |load| sin(2 angle from f to load): an even moment
-//                about the blade's length, which is 0 face on and on edge
+//   twist        the face turns to the load by tau(h) = tau (2 h - h^2), tau = k |load| sin(2 angle from f to load), whatever
+//                bends the blade: an even moment about its length, which is 0 face on and on edge
 //   position     root + c(h) + side * half_width(h) * R(h) (w cos tau(h) - f sin tau(h))
 //   normal       R(h) (f cos tau(h) + w sin tau(h)): exactly the cross product of the position's two derivatives on the middle line,
 //                and everywhere while load and own bend share a plane and nothing twists
@@ -97,7 +97,9 @@ WINDROW_FN WindrowBladePlant windrow_blade_plant(WindrowBlade blade, vec3 axis, 
     plant.width = cross(axis, plant.facing);
     float own = clamp(blade.own.x + blade.own.y * chance + blade.own.z * windrow_view_fraction(view, axis), -3.0f, 3.0f);
     float faced = dot(load, plant.facing), edged = dot(load, plant.width);
-    plant.twist = clamp(2.0f * blade.own.w * faced * edged / max(sqrt(faced * faced + edged * edged), 1e-6f), -3.0f, 3.0f);
+    float tip = max(sqrt(faced * faced + edged * edged), 1e-6f);
+    float turned = 2.0f * (faced / tip) * (edged / tip) * min(tip, blade.drag.load.w); // the bend that the stem keeps
+    plant.twist = clamp(blade.own.w * turned, -3.0f, 3.0f);
     vec3 about_own_axis = faced * plant.facing;
     vec3 bend = about_own_axis + blade.form.y * (load - about_own_axis);
     plant.stem = windrow_stem(axis, windrow_blade_length(blade, hash), bend, own * plant.facing, blade.form.w, blade.drag.load.w);

@@ -24,7 +24,6 @@ struct WindrowFlutter {
     vec4 motion; // x [rad] most, y [m/s] U0, zw 0
     vec4 now;    // f t of each band, 0 to 1
     vec4 before; // a frame ago
-    vec4 shown;  // share of each band's motion that the frame rate can show
 };
 
 // Amplitude over the most, in a wind of `speed` [m/s].
@@ -43,8 +42,7 @@ WINDROW_FN float windrow_flutter_of_band(vec4 bands, uint band) {
 WINDROW_FN float windrow_flutter_angle(WindrowFlutter flutter, vec4 phases, uvec2 hash, float speed) {
     uint band = hash.y & 3u;
     float phase = windrow_flutter_of_band(phases, band) + windrow_fraction(hash.x);
-    float most = flutter.motion.x * windrow_flutter_of_band(flutter.shown, band);
-    return most * windrow_flutter_growth(flutter, speed) * windrow_turn_sine(phase);
+    return flutter.motion.x * windrow_flutter_growth(flutter, speed) * windrow_turn_sine(phase);
 }
 
 // A vertex of a leaf at rest, turned about the leaf's axis by `angle` [rad]: before the leaf and its bearers bend it.

@@ -124,6 +124,7 @@ static void check_springs(void) {
     windrow_spring_block block;
     windrow_swing_block swing;
     windrow_spring_class bands[4];
+    windrow_swing_block swings[4];
     windrow_flutter_class leaves = {6.0, 0.6f, 1.6f};
     windrow_flutter_block flutter, as_default;
     windrow_spring_batch batch;
@@ -142,6 +143,11 @@ static void check_springs(void) {
     CHECK(swing.parts.x == 3.0f && swing.parts.y < 1.0f / 60.0f);
     CHECK_OK(windrow_spring_bands(&spring, bands));
     CHECK(bands[0].frequency_hz < 0.7 && bands[3].frequency_hz > 1.1 && bands[3].damping == spring.damping);
+    CHECK_OK(windrow_swing_steps_make(&spring, 1.0 / 24.0, swings));
+    CHECK(swings[3].parts.x == swing.parts.x && swings[3].smoothing.place.x == swing.smoothing.place.x);
+    CHECK_FAILS(windrow_swing_steps_make(&spring, -1.0, swings), WINDROW_REJECTED, "-1");
+    spring.frequency_hz = -5.0;
+    CHECK_FAILS(windrow_spring_bands(&spring, bands), WINDROW_REJECTED, "-5");
     CHECK_OK(windrow_flutter_step_make(&leaves, 1.0, 1.0 / 60.0, &flutter));
     CHECK_OK(windrow_flutter_step_make(NULL, 1.0, 1.0 / 60.0, &as_default));
     CHECK(memcmp(&flutter, &as_default, sizeof flutter) == 0 && flutter.motion.x == 0.6f && flutter.now.x != flutter.before.x);

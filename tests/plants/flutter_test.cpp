@@ -51,10 +51,10 @@ TEST(Flutter, BeginsAtItsOnsetAndDependsLittleOnTheWind) {
 // turn at 6 Hz.
 TEST(Flutter, IsTheSameAtAnyFrameRateAndTime) {
     const FlutterClass leaves{.frequency_hz = 6.0, .most = 1.0f, .onset = 0.0f};
-    const auto bands = spring_bands({leaves.frequency_hz, 0.0});
+    const auto bands = *spring_bands({leaves.frequency_hz, 0.0});
     double apart = 0.0, before_apart = 0.0;
     for (const double start : {0.0, 86400.0})
-        for (const double duration : {1.0 / 144.0, 1.0 / 60.0, 1.0 / 24.0}) // all are shown whole
+        for (const double duration : {0.0, 1.0 / 144.0, 1.0 / 24.0, 0.2})
             for (std::uint32_t leaf = 0; leaf < 64; ++leaf) {
                 const glm::uvec2 hash = numerics::windrow_plant_hash({leaf, 5u});
                 const double time = start + 0.37 * leaf;
@@ -68,12 +68,6 @@ TEST(Flutter, IsTheSameAtAnyFrameRateAndTime) {
             }
     WINDROW_EXPECT_FIGURE("plants/flutter/off_its_sine_after_a_day", apart, 4e-6); // two roundings of a turn: 2 pi 2^-23
     WINDROW_EXPECT_FIGURE("plants/flutter/a_frame_ago_off_its_sine", before_apart, 4e-6);
-    // Waves that frames cannot show are still: at half of the frame rate and beyond.
-    const WindrowFlutter slow = frame(leaves, 1.0, 1.0 / 9.0);
-    for (std::uint32_t leaf = 0; leaf < 64; ++leaf) {
-        const glm::uvec2 hash = numerics::windrow_plant_hash({leaf, 5u});
-        EXPECT_EQ(now(slow, hash, 5.0f) == 0.0f, bands[hash.y & 3u].frequency_hz * 2.0 >= 9.0) << leaf;
-    }
 }
 
 // Leaves are no choir: the mean of n unit phases is as that of n chances, 1 / sqrt(n), at the first frame and later.

@@ -218,7 +218,7 @@ TEST(MotionSpring, SwingsInPartsOfAFrame) {
 
 // Four springs a quarter of an octave apart about their class; a plant takes the one nearest to its own frequency.
 TEST(MotionSpring, HasFourBandsAboutItsClass) {
-    const auto bands = spring_bands(springs::wheat);
+    const auto bands = *spring_bands(springs::wheat);
     double product = 1.0;
     for (const SpringClass& band : bands) {
         EXPECT_EQ(band.damping, springs::wheat.damping);
@@ -237,8 +237,20 @@ TEST(MotionSpring, HasFourBandsAboutItsClass) {
         EXPECT_EQ(numerics::windrow_spring_band(static_cast<float>(quickness)), nearest) << quickness;
     }
     for (const double limit : {1e-4, 1000.0})
-        for (const SpringClass& band : spring_bands({limit, 0.1}))
+        for (const SpringClass& band : *spring_bands({limit, 0.1}))
             EXPECT_TRUE(validate(band)) << band.frequency_hz;
+    // Ripples are filtered as those of the class, whatever the band; a band is a spring of its own.
+    const auto swings = swing_steps(springs::wheat, 1.0 / 24.0);
+    ASSERT_TRUE(swings) << swings.error();
+    for (std::size_t n = 0; n < bands.size(); ++n) {
+        EXPECT_EQ((*swings)[n].smoothing.place, swing_step(springs::wheat, 1.0 / 24.0)->smoothing.place) << n;
+        EXPECT_EQ((*swings)[n].spring.place, swing_step(bands[n], 1.0 / 24.0)->spring.place) << n;
+    }
+    for (const SpringClass& wrong : {SpringClass{std::nan(""), 0.1}, {-5.0, 0.1}, {1.0, std::nan("")}}) {
+        EXPECT_FALSE(spring_bands(wrong));
+        EXPECT_FALSE(swing_steps(wrong, 0.01));
+    }
+    EXPECT_FALSE(swing_steps(springs::wheat, -1.0));
 }
 
 TEST(MotionSpring, IsTheSameAtAnyFrameRate) {

@@ -168,10 +168,8 @@ void GrassLayer::begin_swing(const PassContext& context) {
     if (++frame_ == 1) // no number of a frame is 0
         vkCmdFillBuffer(context.commands, listed_, 0, VK_WHOLE_SIZE, 0);
     SwingFrame frame{.frame = {frame_, 0u, 0u, 0u}};
-    const auto bands = windrow::spring_bands(settings_.spring);
-    for (std::size_t band = 0; band < bands.size(); ++band)
-        if (const auto step = windrow::swing_step(bands[band], time_step_))
-            frame.steps[band] = *step;
+    if (const auto steps = windrow::swing_steps(settings_.spring, time_step_))
+        frame.steps = *steps;
     std::memcpy(swing_blocks_[context.slot].mapped, &frame, sizeof frame);
 }
 

@@ -18,7 +18,7 @@ struct StandBlock {
     glm::uvec4 clock{0u}; ///< x number of the frame, y 1: springs, z samples a pixel, w 1: needles
     glm::vec4 bark{0.0f}, furrow{0.0f}, leaf{0.0f}, young{0.0f}, through{0.0f};
 };
-static_assert(sizeof(StandBlock) == 48 + 32 + 9 * 32 + 64 + 16 + 5 * 16);
+static_assert(sizeof(StandBlock) == 48 + 32 + 9 * 32 + 48 + 16 + 5 * 16);
 
 /// A tree's place (std430).
 struct PlaceBlock {

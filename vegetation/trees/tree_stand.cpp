@@ -180,7 +180,7 @@ Result<void> TreeStand::prepare(const render::PassContext& context) {
     ++block_.clock.x;
     block_.clock.y = springs_ ? 1u : 0u;
     block_.trunk_spring = windrow::spring_step(windrow::springs::trunk, time_step_)->block();
-    const auto limbs = windrow::spring_bands(windrow::springs::branch), twigs = windrow::spring_bands(windrow::springs::twig);
+    const auto limbs = *windrow::spring_bands(windrow::springs::branch), twigs = *windrow::spring_bands(windrow::springs::twig);
     for (std::size_t band = 0; band < limbs.size(); ++band) {
         block_.limb_springs[band] = windrow::spring_step(limbs[band], time_step_)->block();
         block_.twig_springs[band] = windrow::spring_step(twigs[band], time_step_)->block();

@@ -58,7 +58,8 @@ class Device {
     /// that can run the wind.
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceSettings& settings = {});
     /// A host's device and a queue of its family `host.queue_family`, which draws and computes. Both outlive what is made here;
-    /// the host keeps other threads from the queue while functions of this library run.
+    /// the host keeps other threads from the queue while functions of this library run. One thread at a time makes and ends things on
+    /// a device.
     [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(const vulkan::Host& host, VkQueue queue,
                                                                const DeviceSettings& settings = {});
     Device(const Device&) = delete;

@@ -23,7 +23,8 @@ const float k_max_wide = 5.0;
 const float k_cells = 4.4; // along a card
 
 // One grid of leaves: `at` in cells, `pixel` the size of a pixel there.
-void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int salt, WindrowFlutter flutter, float wind) {
+void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int salt, uvec2 card_hash, WindrowFlutter flutter,
+                float wind) {
     vec2 below = floor(at);
     ivec2 cell = ivec2(below) + ivec2(salt);
     uvec2 hash = windrow_plant_hash(uvec2(cell));
@@ -36,7 +37,8 @@ void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int 
     vec2 off = at - below - 0.5;
     vec2 on = vec2(cos(turn) * off.x + sin(turn) * off.y, cos(turn) * off.y - sin(turn) * off.x);
     float along = clamp(on.x / 1.05 + 0.5, 0.0, 1.0);
-    float fluttered = windrow_flutter_angle(flutter, flutter.now, hash, wind);
+    // A phase of its own: neither that of the trees of its model, nor one that goes with its direction.
+    float fluttered = windrow_flutter_angle(flutter, flutter.now, windrow_plant_hash(hash ^ card_hash), wind);
     float half_width = 1.05 * along * (1.0 - along) * (1.35 - 0.7 * along) * windrow_turn_cosine(0.159154943 * fluttered);
     float shown = clamp((half_width - abs(on.y)) / pixel + 0.5, 0.0, 1.0) * step(abs(on.x), 0.52);
     if (shown > mask.coverage) {
@@ -47,16 +49,16 @@ void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int 
     }
 }
 
-LeafMask broad_mask(float u, float v, float wide, float chance, WindrowFlutter flutter, float wind) {
+LeafMask broad_mask(float u, float v, float wide, float chance, uvec2 card_hash, WindrowFlutter flutter, float wind) {
     vec2 card_cells = vec2(1.0, 0.8) * k_cells * min(wide, k_max_wide);
     vec2 at = vec2(u, 0.5 * v) * card_cells;
     float pixel = max(length(vec2(fwidth(at.x), fwidth(at.y))), 1e-4);
     LeafMask mask = LeafMask(0.0, 0.5, 0.5, 0.0);
     int salt = int(500.0 * (chance + 2.0));
-    add_leaves(mask, at, card_cells, pixel, salt, flutter, wind);
+    add_leaves(mask, at, card_cells, pixel, salt, card_hash, flutter, wind);
     vec2 aside = vec2(0.5, 0.37);
     LeafMask other = mask;
-    add_leaves(other, at + aside, card_cells, pixel, salt + 4000, flutter, wind);
+    add_leaves(other, at + aside, card_cells, pixel, salt + 4000, card_hash, flutter, wind);
     mask = other;
     float rim = 1.3 * length(vec2(2.0 * u - 1.0, v)); // round: a kite's corners would show
     vec2 clump = vec2(u, 0.5 * v) + 3.7 * (1.0 + chance);
@@ -98,11 +100,13 @@ LeafMask needle_mask(float u, float v, float wide, float chance) {
     return mask;
 }
 
-// `wide` is the card's growth, 1 or more; `chance` -1 to 1 its own; `wind` [m/s] the speed at its twig.
-LeafMask leaf_mask(float u, float v, float wide, float chance, bool needles, WindrowFlutter flutter, float wind) {
+// `wide` is the card's growth, 1 or more; `chance` -1 to 1 its own; `card_hash` is another for each tree; `wind` [m/s] the speed at
+// its twig.
+LeafMask leaf_mask(float u, float v, float wide, float chance, bool needles, uvec2 card_hash, WindrowFlutter flutter,
+                   float wind) {
     if (needles)
         return needle_mask(u, v, max(wide, 1.0), chance);
-    return broad_mask(u, v, max(wide, 1.0), chance, flutter, wind);
+    return broad_mask(u, v, max(wide, 1.0), chance, card_hash, flutter, wind);
 }
 
 #endif

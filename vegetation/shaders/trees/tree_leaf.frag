@@ -15,13 +15,14 @@ layout(location = 4) in vec3 to_eye;
 layout(location = 5) in vec3 clip_now;
 layout(location = 6) in vec3 clip_before;
 layout(location = 7) in vec3 shade;
+layout(location = 8) flat in uvec2 own;
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec2 motion;
 
 const float k_passed_on = 0.35; // of the light that the leaves around get: what is left of it here
 
 void main() {
-    LeafMask mask = leaf_mask(card.x, card.y, card.z, card.w, kind.clock.w == 1u, kind.flutter, shade.z);
+    LeafMask mask = leaf_mask(card.x, card.y, card.z, card.w, kind.clock.w == 1u, own, kind.flutter, shade.z);
     int bits = sample_bits(mask.coverage, int(kind.clock.z), int(50.0 * (1.0 + card.w)));
     if (bits == 0)
         discard;
@@ -32,6 +33,7 @@ void main() {
     // Leaves of one card look into directions of their own.
     float turn = 6.28318531 * mask.leaf;
     vec3 n = normalize(normal) + 0.35 * vec3(cos(turn), 0.6 * sin(2.0 * turn), sin(turn));
+    // One that flutters looks aside by the sine of its turn, about its own direction.
     n = normalize(n + sin(mask.turn) * vec3(-sin(turn), 0.0, cos(turn)));
 
     float many = 1.0 / max(card.z, 1.0); // a card that stands for many leaves has their mean

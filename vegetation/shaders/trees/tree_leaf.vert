@@ -11,7 +11,8 @@ layout(location = 3) out vec4 tone; // rgb what the fog adds; w what it leaves
 layout(location = 4) out vec3 to_eye;
 layout(location = 5) out vec3 clip_now;
 layout(location = 6) out vec3 clip_before;
-layout(location = 7) out vec3 shade; // x how near the crown's rim, 0 to 1; y the tree's own chance; z [m/s] wind at its twig
+layout(location = 7) out vec3 shade;     // x how near the crown's rim, 0 to 1; y the tree's own chance; z [m/s] wind at its twig
+layout(location = 8) flat out uvec2 own; // hash of the card on its tree
 
 void main() {
     TreePlace place = places[gl_InstanceIndex];
@@ -22,6 +23,7 @@ void main() {
     WindrowTreeVertex before =
         tree_point_before(place, vertex, tree_rest(place, vertex, frame.eye_before.xyz, scale_before, 1.0), scale_before);
     vec3 at = place.base.xyz + now.position;
+    own = tree_leaf_hash(place, vertex);
 
     vec3 to_sun = frame.sky.sun.xyz;
     vec3 out_of_crown = tree_turned(place, vertex.open.xyz);

@@ -138,12 +138,16 @@ WindrowTreeLoads tree_loads(vec3 trunk, vec3 limb, vec3 twig, float scale) {
 // stands for many cards has more of them.
 const float k_turned_by_leaves = 0.32;
 
+uvec2 tree_leaf_hash(TreePlace place, TreeVertex vertex) {
+    return windrow_plant_hash(uvec2(vertex.parts.z, floatBitsToUint(place.turn.z)));
+}
+
 WindrowTreeVertex tree_turned_leaf(TreePlace place, TreeVertex vertex, float scale, vec4 phases, float speed,
                                    WindrowTreeVertex rest) {
     if (!is_leaf(vertex) || vertex.parts.y == k_no_part || !(kind.flutter.motion.x > 0.0))
         return rest;
-    uvec2 hash = windrow_plant_hash(uvec2(vertex.parts.z, floatBitsToUint(place.turn.z)));
-    float angle = k_turned_by_leaves / max(scale, 1.0) * windrow_flutter_angle(kind.flutter, phases, hash, speed);
+    float angle =
+        k_turned_by_leaves / max(scale, 1.0) * windrow_flutter_angle(kind.flutter, phases, tree_leaf_hash(place, vertex), speed);
     return windrow_leaf_turned(tree_part(place, vertex.parts.y), angle, rest);
 }
 

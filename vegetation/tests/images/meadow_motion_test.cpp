@@ -11,6 +11,7 @@
 #include "vegetation/tests/images/drawn.h"
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -22,12 +23,13 @@ constexpr std::int64_t k_in_the_gust = 50, k_gust_frames = 4, k_after_it = 74, k
 constexpr std::size_t k_later = 5;                   // [frames]
 constexpr std::int64_t k_least_frames = k_later + 1; // of what must fail
 
-/// What a correlation lacks to 1.
+// What the correlations lack to 1. The demo is asked for 0.85 from frame to frame. Its springs keep 0.8 of the wind's motion and more
+// (grass_swing_test.cpp); 1 - r goes as the square of a small motion, and by less where blades move by more than their width. Hence at
+// least 0.64 of what blades without springs lack, which are where the wind has them: after a quarter of a second, most of a swing.
 constexpr double k_boiling = 0.15;
-// To first order that is as the square of how far blades have gone. A spring keeps 0.8 of the wind's motion and more
-// (grass_swing_test.cpp), hence 0.64 of what blades without one lack. That is asked after a quarter of a second, when blades that
-// swing are on their way still.
 constexpr double k_frozen = 0.64;
+// Springs that do not move: a period of three hours.
+constexpr windrow::SpringClass k_still{1e-4, 1.0};
 
 using Luminance = std::vector<double>;
 
@@ -70,14 +72,16 @@ double apart_after(std::size_t lag, std::span<const Luminance> frames) {
 /// The demo's shot, at the size of its film and with the scene's own time before the first picture.
 class Shot {
   public:
-    explicit Shot(bool springs, bool wind = true) {
+    explicit Shot(bool springs, std::optional<windrow::SpringClass> spring = {}) {
         auto read = read_picture_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples/scenes/meadow.json");
         if (!read)
             throw std::runtime_error(read.error());
         scene_ = *std::move(read);
-        for (GrassSource& layer : scene_.picture.grass)
+        for (GrassSource& layer : scene_.picture.grass) {
             layer.drawn.springs = springs;
-        auto made = Shoot::create(scene_, {.size = glm::ivec2(640, 360), .frames_per_second = k_rate, .wind = wind});
+            layer.drawn.spring = spring.value_or(layer.drawn.spring);
+        }
+        auto made = Shoot::create(scene_, {.size = glm::ivec2(640, 360), .frames_per_second = k_rate});
         if (!made)
             throw std::runtime_error(made.error());
         shoot_ = *std::move(made);
@@ -108,7 +112,7 @@ TEST(LongMeadowMotion, IsNeitherBoilingNorFrozen) {
     const double in_the_gust = apart_after(1, springs.draw(k_in_the_gust, k_gust_frames));
     const auto swinging = springs.draw(k_after_it, k_frames);
     const auto stiff = Shot(false).draw(k_after_it, k_least_frames);
-    const auto frozen = Shot(true, false).draw(0, k_least_frames);
+    const auto frozen = Shot(true, k_still).draw(k_after_it, k_least_frames);
 
     const std::string name = "images/meadow_motion/";
     WINDROW_EXPECT_FIGURE(name + "swinging_after_50_ms", apart_after(1, swinging), k_boiling);
@@ -116,7 +120,9 @@ TEST(LongMeadowMotion, IsNeitherBoilingNorFrozen) {
     EXPECT_GT(windrow::test::figure(name + "stiff_after_50_ms", apart_after(1, stiff)), k_boiling);
 
     const double moved = k_frozen * windrow::test::figure(name + "stiff_after_250_ms", apart_after(k_later, stiff));
-    EXPECT_GE(windrow::test::figure(name + "swinging_after_250_ms", apart_after(k_later, swinging), moved), moved);
+    EXPECT_GE(windrow::test::figure(name + "swinging_after_250_ms",
+                                    apart_after(k_later, std::span(swinging).first(k_least_frames)), moved),
+              moved);
     EXPECT_LT(windrow::test::figure(name + "frozen_after_250_ms", apart_after(k_later, frozen)), moved);
 }
 
