@@ -46,7 +46,7 @@ WINDROW_C_API windrow_result windrow_spring_bands(const windrow_spring_class* sp
 WINDROW_C_API windrow_result windrow_swing_steps_make(const windrow_spring_class* spring, double duration,
                                                       windrow_swing_block* blocks);
 
-/* Leaves that turn to and fro about their stalks (numerics/flutter.glsl). */
+/* Class of leaves that oscillate about their stalks (numerics/flutter.glsl). */
 typedef struct windrow_flutter_class {
     double frequency_hz; /* [Hz] 1e-4 to 1000; default 6 */
     float most;          /* [rad] 0 to 1.5; default 0.6 */

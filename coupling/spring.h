@@ -52,7 +52,7 @@ inline constexpr SpringClass trunk{0.3, 0.08};
 [[nodiscard]] WINDROW_API Result<void> validate(const SpringClass& spring);
 
 /// Springs of plants of one class: its frequency times 2^(-3/8), 2^(-1/8), 2^(1/8) and 2^(3/8), kept within a class's range, and its
-/// damping. Plants of all four swing apart after a gust; windrow_spring_band of shaders/numerics/spring.glsl says which one a plant
+/// damping. Plants of one class then do not swing in unison; windrow_spring_band of shaders/numerics/spring.glsl says which one a plant
 /// has. Rejects as `validate`.
 [[nodiscard]] WINDROW_API Result<std::array<SpringClass, 4>> spring_bands(const SpringClass& spring);
 
@@ -81,7 +81,7 @@ struct WINDROW_API SpringStep {
 /// The same of the class's four bands, in their order; one filter for all, that of the class.
 [[nodiscard]] WINDROW_API Result<std::array<SwingBlock, 4>> swing_steps(const SpringClass& spring, double duration);
 
-/// Leaves that turn to and fro about their stalks (shaders/numerics/flutter.glsl).
+/// Class of leaves that oscillate about their stalks (shaders/numerics/flutter.glsl).
 struct FlutterClass {
     double frequency_hz = 6.0;
     float most = 0.6f;
@@ -100,7 +100,7 @@ struct FlutterClass {
 
 [[nodiscard]] WINDROW_API Result<void> validate(const FlutterClass& flutter);
 
-/// A frame that ends at `time` [s] and began `duration` [s] before: the same turns at any frame rate. Rejects a class out of range, a
+/// Block of a frame that ends at `time` [s] and lasts `duration` [s]. The angles do not depend on the frame rate. Rejects a class out of range, a
 /// time or a duration that is not finite and a negative duration.
 [[nodiscard]] WINDROW_API Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration);
 

@@ -90,13 +90,13 @@ def hash_of(*files):
 
 
 class Programs:
-    """Those that run now; all end where one of them fails or this one is stopped."""
+    """Running programs. All are terminated when one fails or this program is stopped."""
 
     def __init__(self):
         self.lock, self.running, self.ended = threading.Lock(), set(), False
 
     def run(self, command):
-        """Its exit code and output; None where all have been ended."""
+        """Returns exit code and output; the code is None after `end`."""
         with self.lock:
             if self.ended:
                 return None, ""

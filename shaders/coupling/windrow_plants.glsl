@@ -67,8 +67,8 @@ vec2 windrow_swing_ripple(WindrowBlade blade, vec3 middle, vec3 up, uvec2 hash, 
 
 // A blade with inertia, one call a frame and blade: a compute pass keeps its state in a buffer of yours, as it is or packed to 20
 // bytes (windrow_swing_packed). Its bend is then windrow_level(swing.bend); a frame ago it was the bend of the state before. `hash`
-// is windrow_plant_hash of the key; `step` comes from windrow::swing_step, and best is that of windrow::swing_steps that the blade has:
-// windrow_spring_band(windrow_blade_quickness(blade, hash)). `goes_on`: the state is of the frame before; else the blade begins at
+// is windrow_plant_hash of the key; `step` comes from windrow::swing_step, or from
+// windrow::swing_steps at the index windrow_spring_band(windrow_blade_quickness(blade, hash)). `goes_on`: the state is of the frame before; else the blade begins at
 // rest. It grows along `up`, nearly upright.
 WindrowSwing windrow_blade_swing(WindrowSwingStep step, WindrowBlade blade, vec3 root, vec3 up, uvec2 hash, vec3 velocity,
                                  bool goes_on, WindrowSwing swing) {

@@ -1,11 +1,10 @@
-// Flutter: a leaf turns to and fro about its stalk once the wind is fast enough.
+// Flutter: oscillation of a leaf about its stalk above a threshold wind speed.
 //
 //   angle = most sqrt(1 - (U0 / U)^2) sin(2 pi (f t + p))      beyond the speed U0 [m/s]; 0 below
 //
-// A limit of speed parts leaves that hang still from those that flutter, by a torsion that gallops; beyond it the motion depends
-// little on the wind: hence the amplitude of a supercritical Hopf bifurcation, and one frequency at any speed. That of a leaf is
-// in one of four bands about its class's (spring.glsl); its phase p is its own. Phases come from the CPU, in double: a time in
-// float would stutter after an hour.
+// Torsional galloping starts at a threshold speed. Above it the motion depends weakly on the wind. The model is the amplitude of a
+// supercritical Hopf bifurcation at a constant frequency. Each leaf has one of the four bands of spring.glsl and a random phase p.
+// The CPU computes f t in double: a time in float would stutter after an hour.
 // Based on: Tadrist and others 2015, J. Fluids Struct. 56, 1 (the limit); Tadrist and others 2018, J. R. Soc. Interface 15,
 // 20180010 (how flutter and the buffeting of branches depend on the wind).
 #ifndef WINDROW_FLUTTER_GLSL

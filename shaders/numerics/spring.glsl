@@ -9,8 +9,8 @@
 //
 // The six numbers are the same for all springs of a class: the CPU computes them once a step, in double (coupling/spring.h).
 // Increments, not new values: at 1000 Hz A differs from 1 by some 1e-5, of which a float would keep two digits.
-// Plants of a class differ, or a gust would set a whole meadow swinging in one time: the class has four bands of springs, a quarter
-// of an octave apart, and each plant takes the one that is nearest to its own frequency.
+// Plants of one class differ in frequency, or a gust would make a meadow swing in unison. A class has four bands of springs, a
+// quarter of an octave apart. Each plant uses the band nearest to its own frequency.
 // Exact for targets that are constant or linear over each step, so the same motion at any frame rate. A resting spring on a
 // resting target stays as it is, to the bit.
 // Based on: the variation of constants; the free solution as in Den Hartog 1956, Mechanical Vibrations, chapter 2.

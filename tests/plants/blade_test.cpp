@@ -214,7 +214,7 @@ TEST(Blade, NormalsAndTangentsAreThePositionsDerivatives) {
     WINDROW_EXPECT_FIGURE("plants/blade/tangent_off_degrees", tangent_error, 1.0);
 }
 
-// A strip shows its face to a wind against its corner, by the moment of a flat plate; its middle line stays where it was.
+// Twist by the moment of a flat plate. The middle line does not move.
 TEST(Blade, TwistsItsFaceToTheWind) {
     constexpr float k_twist = 1.5f;
     constexpr double k_load = 0.02; // [rad] so little that the bend turns the face by less than its square

@@ -1,4 +1,4 @@
-// Leaves that flutter: still in a light wind, alike at any frame rate and time, and each in its own time.
+// Flutter of leaves: threshold, independence of frame rate and time, independent phases.
 #include "coupling/plant_numerics.h"
 #include "coupling/spring.h"
 #include "tests/fields.h"
@@ -26,7 +26,7 @@ float now(const WindrowFlutter& flutter, glm::uvec2 hash, float speed) {
     return numerics::windrow_flutter_angle(flutter, flutter.now, hash, speed);
 }
 
-// A supercritical bifurcation: nothing up to the onset, the root of what is beyond it, and never more than the most.
+// Supercritical bifurcation: 0 up to the onset, then the square root of the excess, bounded by the largest turn.
 TEST(Flutter, BeginsAtItsOnsetAndDependsLittleOnTheWind) {
     const FlutterClass leaves{.most = 0.5f, .onset = 2.0f};
     const WindrowFlutter flutter = frame(leaves, 3.0, 0.01);
@@ -47,8 +47,7 @@ TEST(Flutter, BeginsAtItsOnsetAndDependsLittleOnTheWind) {
     EXPECT_EQ(now(frame({.most = 0.0f}, 3.0, 0.01), {1u, 2u}, 9.0f), 0.0f);
 }
 
-// After a day of frames as at their first: the phase is taken in double. A float of 86,400 s has steps of 8 ms, a twentieth of a
-// turn at 6 Hz.
+// The phase is exact after a day, since it is computed in double. A float of 86,400 s has steps of 8 ms: 0.05 turns at 6 Hz.
 TEST(Flutter, IsTheSameAtAnyFrameRateAndTime) {
     const FlutterClass leaves{.frequency_hz = 6.0, .most = 1.0f, .onset = 0.0f};
     const auto bands = *spring_bands({leaves.frequency_hz, 0.0});
@@ -70,7 +69,7 @@ TEST(Flutter, IsTheSameAtAnyFrameRateAndTime) {
     WINDROW_EXPECT_FIGURE("plants/flutter/a_frame_ago_off_its_sine", before_apart, 4e-6);
 }
 
-// Leaves are no choir: the mean of n unit phases is as that of n chances, 1 / sqrt(n), at the first frame and later.
+// Phases of leaves are independent: the mean of n of them is of order 1 / sqrt(n), at the first frame and later.
 TEST(Flutter, EachLeafHasItsOwnTime) {
     constexpr int k_leaves = 4096;
     const FlutterClass leaves{.most = 1.0f, .onset = 0.0f};

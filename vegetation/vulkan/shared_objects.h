@@ -1,8 +1,8 @@
-// Vulkan objects that several owners on one device have: layouts, render passes and pipelines, which hold no data. The second coat,
+// Vulkan objects that several owners on one device use together: layouts, render passes and pipelines, which hold no data. A second coat,
 // stand or layer of the same shaders compiles nothing.
 //
-// One is found by its key: all that it is made of. It ends with the last owner that asked for it. What is made of an object that is
-// not shared itself, as of a host's render pass, is its owner's alone: such a handle may come again for another object.
+// The key holds all creation parameters. An object is destroyed with its last owner. An object made of a part that is not shared, such
+// as a host's render pass, is not shared: Vulkan may reuse that handle for another object.
 #pragma once
 
 #include <cstddef>
@@ -74,7 +74,7 @@ class SharedKey {
 
 class Objects;
 
-/// Those of one device. It is used by one thread at a time, as the device is.
+/// Shared objects of one device. Not thread-safe, as the device.
 class SharedObjects {
   public:
     struct Shared {
@@ -89,7 +89,7 @@ class SharedObjects {
     /// The object of the key, made by `make` where there is none. Null where a part of it is not shared.
     [[nodiscard]] std::shared_ptr<const Shared> find(Objects& objects, const SharedKey& key,
                                                      const std::function<HandleBits(Objects&)>& make);
-    /// Objects that are there.
+    /// Number of live objects.
     [[nodiscard]] std::size_t count() const;
 
   private:

@@ -37,7 +37,7 @@ void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int 
     vec2 off = at - below - 0.5;
     vec2 on = vec2(cos(turn) * off.x + sin(turn) * off.y, cos(turn) * off.y - sin(turn) * off.x);
     float along = clamp(on.x / 1.05 + 0.5, 0.0, 1.0);
-    // A phase of its own: neither that of the trees of its model, nor one that goes with its direction.
+    // Independent of the model, which other trees use too, and of the leaf's direction.
     float fluttered = windrow_flutter_angle(flutter, flutter.now, windrow_plant_hash(hash ^ card_hash), wind);
     float half_width = 1.05 * along * (1.0 - along) * (1.35 - 0.7 * along) * windrow_turn_cosine(0.159154943 * fluttered);
     float shown = clamp((half_width - abs(on.y)) / pixel + 0.5, 0.0, 1.0) * step(abs(on.x), 0.52);

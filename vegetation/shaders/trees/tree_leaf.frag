@@ -33,7 +33,7 @@ void main() {
     // Leaves of one card look into directions of their own.
     float turn = 6.28318531 * mask.leaf;
     vec3 n = normalize(normal) + 0.35 * vec3(cos(turn), 0.6 * sin(2.0 * turn), sin(turn));
-    // One that flutters looks aside by the sine of its turn, about its own direction.
+    // Flutter tilts the normal by the sine of the turn, across the leaf's direction.
     n = normalize(n + sin(mask.turn) * vec3(-sin(turn), 0.0, cos(turn)));
 
     float many = 1.0 / max(card.z, 1.0); // a card that stands for many leaves has their mean

@@ -1,8 +1,7 @@
 // Trees of one kind: set 2. The same layouts as in vegetation/trees (tree_model.h, stand_blocks.h).
 //
 // A vertex is that of the tree at rest, thinned out by its distance (tree_levels.glsl), turned and scaled by its place, and then
-// moved by windrow_tree_bent alone. Its leaves flutter: each on its card (leaf_mask.glsl), and the card as a whole by the mean of
-// theirs.
+// moved by windrow_tree_bent alone. Each leaf of a card flutters (leaf_mask.glsl), and the card turns by the mean of its leaves.
 #ifndef WINDROW_TREE_PARTS_GLSL
 #define WINDROW_TREE_PARTS_GLSL
 
@@ -134,8 +133,8 @@ WindrowTreeLoads tree_loads(vec3 trunk, vec3 limb, vec3 twig, float scale) {
     return WindrowTreeLoads(trunk, limb, twig / max(scale, 1.0));
 }
 
-// A leaf card holds some ten leaves, each of which turns by itself: together they turn it by the root of a tenth of that. One that
-// stands for many cards has more of them.
+// A card has about ten leaves with independent phases, so its own turn is smaller by sqrt(1 / 10). A card that replaces several has
+// more leaves.
 const float k_turned_by_leaves = 0.32;
 
 uvec2 tree_leaf_hash(TreePlace place, TreeVertex vertex) {

@@ -1,8 +1,8 @@
-// Grass that swings and does not boil: how alike the demo's frames are, in the lower quarter, which is grass alone.
+// Correlation of the demo's consecutive frames, in the lower quarter, which shows only grass.
 //
-// Correlation r of the luminance, over the pixels, between frames at 20 a second. Grass without springs answers each ripple of the
-// wind at once and is another picture in each frame: r is then as low after one frame as after five. Grass that swings is alike
-// from frame to frame, and another after a quarter of a second; frozen grass is the same for ever.
+// r is Pearson's correlation of the luminance over the pixels, at 20 frames a second. Grass without springs follows each ripple of
+// the wind at once: r is nearly as low after one frame as after five. Grass with springs has a high r after one frame and a low one
+// after a quarter of a second. Frozen grass keeps r = 1.
 //
 // The frames are between two gusts of the demo's first shot (3.7 s to 4.05 s), before the blast at 4.3 s. In the gust before, blades
 // move by their own width in a frame: r is lower there, and stated as a figure without a bound.

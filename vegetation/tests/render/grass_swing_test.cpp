@@ -74,7 +74,7 @@ struct Swinging {
     GrassLayer *swings = nullptr, *stiff = nullptr;
 };
 
-// The library's springs, one a blade, in the wind that the blades felt.
+// Reference: the library's springs, one per blade, in the wind that the blades felt.
 struct Reference {
     void step(const windrow::SpringClass& spring, const std::vector<glm::dvec2>& targets, double duration) {
         if (place.empty()) {
@@ -89,7 +89,7 @@ struct Reference {
     std::vector<glm::dvec2> place, velocity, before;
 };
 
-// Root mean square of what lies between two motions.
+// RMS difference of two motions.
 double apart(const Series& a, const Series& b) {
     double sum = 0.0;
     for (std::size_t n = 0; n < a.size(); ++n)
@@ -189,8 +189,8 @@ TEST(GrassSwing, IsTheSpringOfTheLibraryInTheWindOfTheBlades) {
     EXPECT_LT(fast, -20.0 * std::log10((8.0 / 3.5) * (8.0 / 3.5) - 1.0));
 }
 
-// A short blade is quicker than a long one: without detail it is the spring of its own band, but for the rounding of its state to
-// halves, and not that of its class.
+// Short blades swing faster than long ones. Without detail each follows the spring of its own band, except for the rounding of its
+// state to halves. The spring of the class is seven times further off than the bound.
 TEST(GrassSwing, HasItsOwnTime) {
     constexpr double k_frame = 1.0 / 60.0;
     Swinging meadow(0, 0.0f);

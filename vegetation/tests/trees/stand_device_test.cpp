@@ -196,7 +196,7 @@ TEST(TreeStand, MotionIsTheDifferenceOfProjectedPlaces) {
     WINDROW_EXPECT_FIGURE("trees/motion/apart", worst, most / 50.0);
 }
 
-// In an even wind nothing else moves: leaves beyond the onset, and wood and needles never. A card turns by the mean of its leaves.
+// In an even wind leaves move above the onset; wood and needles do not move.
 TEST(TreeStand, LeavesFlutterBeyondTheOnset) {
     for (const auto& [kind, wind, flutters] :
          {std::tuple{"birch", 1.2f, false}, {"birch", 6.0f, true}, {"spruce", 6.0f, false}}) {
