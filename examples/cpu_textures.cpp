@@ -4,26 +4,26 @@
 //     cpu_textures [FILE]     blows for 20 s, draws the air to FILE (cpu_textures.ppm), compares the shader with the CPU
 //
 // 1. Make the wind without a device, and advance it as always.
-// 2. Make what its shaders need (examples/cpu_wind.h): an image of RGBA16F with a texel a cell, mapped staging buffers of as many
-//    bytes, uniform buffers, a buffer of the gust tile, a set.
-// 3. In each frame write the cells as halves into the staging buffer (write_vectors) and copy it to the image; write the FrameBlock,
-//    which places the image in the world; fill the set by vulkan::SetWrites.
+// 2. Make what its shaders need (vegetation/vulkan/cpu_wind.h): images of RGBA16F with a texel a cell, mapped staging buffers of as many
+//    bytes, a buffer of the gust tile; uniform buffers and sets (wind_set.h).
+// 3. In each frame write the cells as halves into the staging buffer (write_vectors) and copy it to the images; write the FrameBlock,
+//    which places them in the world; fill the set by vulkan::SetWrites.
 // 4. Draw. A shader that includes shaders/coupling/windrow_wind.glsl calls windrow_velocity(p), as with a wind on the device.
 // 5. The shader gets what Wind::velocity returns, to the rounding of halves and of the texture unit's weights.
 //
 // What to see: air from the left, 1.2 m above the ground, combed along its direction; blue is slow, yellow fast. It parts before a
 // tower and a house, is fast beside them and slow behind. A fan blows into it from below. Toward the marks, where the box ends, it
 // fades to the ambient wind over 4 m.
-#include "examples/cpu_wind.h"
 #include "shader_words/air_frag.h"
 #include "shader_words/plane_vert.h"
 #include "shader_words/probe_frag.h"
-#include <windrow/vegetation/vulkan/canvas.h>
-#include <windrow/vegetation/vulkan/frames.h>
 
 #include <cstdio>
 #include <fstream>
 #include <glm/common.hpp>
+#include <windrow/vegetation/vulkan/canvas.h>
+#include <windrow/vegetation/vulkan/frames.h>
+#include <windrow/vegetation/vulkan/wind_set.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace words = windrow::vulkan::shader_words;
@@ -47,15 +47,16 @@ glm::dvec3 at(double x, double height, double z) {
     return k_middle + glm::dvec3(x, height - 1.2, z);
 }
 
-windrow::Wind blown() {
-    auto wind = engine::must(windrow::Wind::create({.cells = k_cells,
-                                                    .cell_size = 0.5f,
-                                                    .boundaries = windrow::Boundaries::open_over_floor(),
-                                                    .centre = at(0.0, 4.0, 0.0),
-                                                    .ambient = {6.0f, 0.0f, 0.5f},
-                                                    .profile = windrow::LogProfile{},
-                                                    .gusts = {.intensity = 0.15f},
-                                                    .blend_width = 8.0f}));
+std::unique_ptr<engine::CpuWind> blown(engine::Device& device) {
+    auto made = engine::must(engine::CpuWind::create(device, {.cells = k_cells,
+                                                              .cell_size = 0.5f,
+                                                              .boundaries = windrow::Boundaries::open_over_floor(),
+                                                              .centre = at(0.0, 4.0, 0.0),
+                                                              .ambient = {6.0f, 0.0f, 0.5f},
+                                                              .profile = windrow::LogProfile{},
+                                                              .gusts = {.intensity = 0.15f},
+                                                              .blend_width = 8.0f}));
+    windrow::Wind& wind = made->air();
     const auto tower = Plane{}.tower, house = Plane{}.house;
     const windrow::Cylinder cylinder{.radius = tower.z, .half_length = 3.0f};
     (void)engine::must(wind.obstacles().add({.position = at(tower.x, 3.0, tower.y), .shape = cylinder}));
@@ -68,7 +69,7 @@ windrow::Wind blown() {
                                                            .law = windrow::Drive{.speed = 14.0f, .rate = 8.0f}}));
     for (int frame = 0; frame < 20 * 60; ++frame)
         (void)wind.advance(1.0 / 60.0);
-    return wind;
+    return made;
 }
 
 // Largest difference between a component that the shader wrote, as a float a pixel, and the CPU's. [m/s]
@@ -89,12 +90,13 @@ double apart(const windrow::Wind& wind, const engine::Canvas& probes) {
 
 void draw_air(const std::string& file) {
     // 1. The wind.
-    const windrow::Wind wind = blown();
+    const auto device = engine::must(engine::Device::create());
+    const auto on_cpu = blown(*device);
+    const windrow::Wind& wind = on_cpu->air();
 
     // 2. The device's side of it.
-    const auto device = engine::must(engine::Device::create());
     engine::Objects objects(*device);
-    CpuWindSet wind_set(objects, wind);
+    engine::WindSet wind_set(objects);
     const VkPipelineLayout layout = engine::make_pipeline_layout(objects, std::array{wind_set.layout()}, sizeof(Plane));
     const engine::Canvas picture(objects, k_picture, VK_FORMAT_R8G8B8A8_SRGB, VK_SAMPLE_COUNT_1_BIT);
     const engine::Canvas probes(objects, k_probes, VK_FORMAT_R32_SFLOAT, VK_SAMPLE_COUNT_1_BIT);
@@ -104,7 +106,8 @@ void draw_air(const std::string& file) {
     // 3. The cells of a frame.
     const auto frames = engine::must(engine::Frames::create(*device));
     const engine::Frame frame = engine::must(frames->begin());
-    const VkDescriptorSet set = wind_set.record(frame.commands, frame.slot, wind, k_middle);
+    on_cpu->record(frame.commands, frame.slot);
+    const VkDescriptorSet set = wind_set.of(frame.slot, *on_cpu, k_middle, {});
 
     // 4. What samples them.
     const Plane plane;

@@ -92,7 +92,7 @@ std::string field_of(const Run& run) {
 }
 
 FrameCase base(const Run& run) {
-    return {.metres = run.metres, .shoot = {.size = run.size}};
+    return {.metres = run.metres, .shoot = {.size = run.size, .backend = program::Backend::vulkan}}; // also on a software device
 }
 
 void by_stage(const Run& run) {
@@ -126,7 +126,7 @@ void wind_passes(const Run& run) {
     int counted = 0;
     for (int n = 0; n < run.warm + run.frames; ++n) {
         stages[0]->draw(n >= run.warm);
-        const auto times = stages[0]->shoot().wind().pass_times();
+        const auto times = stages[0]->shoot().air().pass_times();
         if (n < run.warm || !times)
             continue;
         for (const auto& pass : times->passes) { // a frame without a tick has fewer kinds of them

@@ -246,7 +246,7 @@ std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) 
 int main(int argument_count, char** arguments) {
     Options options;
     CLI::App app("Draws scene files.", "windrow-draw");
-    std::string size, show = "plants";
+    std::string size, backend, show = "plants";
     double frames_per_second = 0.0;
     const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"streaks", program::Show::streaks},
                                                      {"arrows", program::Show::arrows}, {"slice", program::Show::slice},
@@ -272,6 +272,7 @@ int main(int argument_count, char** arguments) {
         ->check(within(0.0, 360.0));
     app.add_option("--show", show, "plants, or with them streaks, arrows, slice of the wind; or lean, levels, chunks");
     app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
+    app.add_option("--backend", backend, "what runs the air: cpu or vulkan; default: vulkan on a GPU, cpu on a software device");
     app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");
     try {
         app.parse(argument_count, arguments);
@@ -285,6 +286,10 @@ int main(int argument_count, char** arguments) {
     if (shown == shows.end())
         return complain("--show is \"" + show + "\"; give one of plants, streaks, arrows, slice, lean, levels, chunks.", 2);
     options.shoot.show = shown->second;
+    if (!backend.empty() && backend != "cpu" && backend != "vulkan")
+        return complain("--backend is \"" + backend + "\"; give cpu or vulkan.", 2);
+    if (!backend.empty())
+        options.shoot.backend = backend == "cpu" ? program::Backend::cpu : program::Backend::vulkan;
     if (frames_per_second > 0.0)
         options.shoot.frames_per_second = frames_per_second;
     return run_all(options);

@@ -52,18 +52,17 @@ Result<void> Shoot::make() {
         air.cells = glm::ivec3(8); // something to sample
     }
     const bool asked = settings_.show == Show::streaks || Figures::any(scene_); // by the host, for streaks and cloaks
-    auto wind =
-        windrow::vulkan::Wind::create(device_->host(), air,
-                                      {.frames_in_flight = engine::k_frames_in_flight,
-                                       .gusts = picture.sampling.detail > 0.0f,
-                                       .timestamps = settings_.pass_times,
-                                       .queries = asked ? windrow::vulkan::ReadBack::cells : windrow::vulkan::ReadBack::none});
+    auto wind = Air::create(*device_, air,
+                            {.backend = settings_.backend,
+                             .gusts = picture.sampling.detail > 0.0f,
+                             .pass_times = settings_.pass_times,
+                             .queries = asked});
     if (!wind)
         return Error{"$.air: " + wind.error()};
-    wind_ = *std::move(wind);
-    if (auto placed = motion_.begin(*wind_); !placed)
+    air_ = *std::move(wind);
+    if (auto placed = motion_.begin(*air_); !placed)
         return placed;
-    wind_->reset(); // filled in before the floor stood where it belongs
+    air_->reset(); // filled in before the floor stood where it belongs
 
     render::Scene scene;
     scene.camera = camera_at(scene_, 0.0);
@@ -265,7 +264,7 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     case Show::slice:
         break;
     }
-    const windrow::Config& air = wind_->config();
+    const windrow::Config& air = air_->config();
     render::WindArrowSettings view;
     view.form = settings_.show == Show::slice ? render::WindArrowSettings::Form::slice : render::WindArrowSettings::Form::arrows;
     const bool slice = view.form == render::WindArrowSettings::Form::slice;
@@ -282,8 +281,8 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
 }
 
 Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
-    const windrow::Box box = wind_->box();
-    const render::StreakBox held{wind_->origin(), glm::dvec3(box.size())};
+    const windrow::Box box = air_->box();
+    const render::StreakBox held{air_->origin(), glm::dvec3(box.size())};
     auto made = render::WindStreaks::create(*device_, targets, {}, held);
     if (!made)
         return Error{made.error()};
@@ -293,7 +292,7 @@ Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
 }
 
 void Shoot::move_figures(double time, double seconds) {
-    figures_->move(time, seconds, [&](glm::dvec3 place) { return settings_.wind ? wind_->velocity(place) : glm::vec3(0.0f); });
+    figures_->move(time, seconds, [&](glm::dvec3 place) { return settings_.wind ? air_->velocity(place) : glm::vec3(0.0f); });
 }
 
 void Shoot::move_streaks(double time, double seconds) {
@@ -304,9 +303,7 @@ void Shoot::move_streaks(double time, double seconds) {
         return std::any_of(standing.begin(), standing.end(), [&](const auto& body) { return body.blocks(from, to); });
     };
     const auto velocity = [&](std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) {
-        if (const auto view = wind_->queried())
-            return view->velocity(places, velocities);
-        std::fill(velocities.begin(), velocities.end(), wind_->ambient());
+        air_->velocity(places, velocities);
     };
     streaks_->advance(seconds, velocity, blocked);
 }
@@ -324,14 +321,13 @@ Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
 }
 
 Result<void> Shoot::place_motion(double start, double end) {
-    if (auto placed = motion_.place(*wind_, start, end); !placed)
+    if (auto placed = motion_.place(*air_, start, end); !placed)
         return placed;
-    return wakes_.place(wind_->motors(), start, end);
+    return wakes_.place(air_->motors(), start, end);
 }
 
 Result<void> Shoot::record_air(const engine::Frame& frame, double dt) {
-    const auto recorded = wind_->record(frame.commands, {.dt = settings_.wind ? dt : 0.0, .slot = frame.slot});
-    return recorded ? Result<void>{} : Error{recorded.error()};
+    return air_->record(frame, settings_.wind ? dt : 0.0);
 }
 
 Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
@@ -364,7 +360,7 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
         swinging.push_back(stand.get());
     for (const auto& layer : grass_)
         swinging.push_back(layer.get());
-    return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
+    return renderer_->keep_up(frame, camera_at(scene_, time), air_->sampled(), swinging);
 }
 
 Result<void> Shoot::warm_up() {
@@ -421,7 +417,7 @@ Result<void> Shoot::draw(bool copied) {
         done = dressed_->move(now, now - start_of(frame_));
     }
     if (done) {
-        done = renderer_->record(frame, camera_at(scene_, now), *wind_);
+        done = renderer_->record(frame, camera_at(scene_, now), air_->sampled());
         if (done && copied)
             renderer_->copy(frame);
     }
@@ -434,9 +430,18 @@ Result<void> Shoot::draw(bool copied) {
     return done;
 }
 
+std::vector<render::StageTime> Shoot::times() const {
+    std::vector<render::StageTime> times = renderer_->clock().times();
+    if (!times.empty())
+        times.front().us += air_->cpu_us(); // "wind"
+    return times;
+}
+
 ShootMemory Shoot::memory() const {
-    ShootMemory sum{.targets = device_->memory_bytes(), .wind = wind_->memory_bytes()};
-    sum.room = wind_->reserved_bytes() - sum.wind + device_->reserved_bytes() - sum.targets;
+    ShootMemory sum{.targets = device_->memory_bytes(), .wind = air_->memory_bytes()};
+    sum.room = air_->reserved_bytes() - sum.wind + device_->reserved_bytes() - sum.targets;
+    if (air_->backend() == Backend::cpu) // its textures are the device's own
+        sum.targets -= sum.wind;
     for (const auto& layer : grass_)
         sum.grass += layer->memory_bytes();
     sum.targets -= sum.grass;

@@ -12,8 +12,8 @@
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
-#include "fluid/vulkan/wind.h"
 #include "scene/scene_motion.h"
+#include "vegetation/program/air.h"
 #include "vegetation/program/dressed_body.h"
 #include "vegetation/program/figures.h"
 #include "vegetation/program/picture_scene.h"
@@ -42,11 +42,12 @@ struct ShootSettings {
     std::optional<float> shutter_deg{};        ///< of RenderSettings; default: the scene's
     int samples = 4;                           ///< a pixel, 1 or 4
     Show show = Show::plants;
-    bool wind = true;                ///< false: nothing blows and no step is recorded, to tell what the wind costs
-    bool pass_times = false;         ///< the wind times each of its passes
-    bool counts = false;             ///< vertices and fragments of the colour pass are counted
-    std::optional<int> max_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
-    bool staged = false;             ///< engine::DeviceSettings::staged
+    std::optional<Backend> backend{}; ///< what runs the air; default: by the device (AirSettings)
+    bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs
+    bool pass_times = false;          ///< the wind times each of its passes
+    bool counts = false;              ///< vertices and fragments of the colour pass are counted
+    std::optional<int> max_blades{};  ///< of each layer, looked at once a frame; default: the layer's own
+    bool staged = false;              ///< engine::DeviceSettings::staged
 };
 
 /// Device memory by what it is for, [bytes].
@@ -75,11 +76,12 @@ class Shoot {
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] float shutter_deg() const { return settings_.shutter_deg.value_or(scene_.picture.camera.shutter_deg); }
     [[nodiscard]] const render::Targets& images() const { return renderer_->images(); }
-    /// By the device's clock, of the frame drawn last; empty where the device counts no time.
-    [[nodiscard]] const std::vector<render::StageTime>& times() const { return renderer_->clock().times(); }
+    /// By the device's clock, of the frame drawn last, and with what the CPU took for the wind; empty where the device counts no
+    /// time.
+    [[nodiscard]] std::vector<render::StageTime> times() const;
     /// Of the frame drawn last; zeros where the device counts nothing, or without ShootSettings::counts.
     [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
-    [[nodiscard]] const windrow::vulkan::Wind& wind() const { return *wind_; }
+    [[nodiscard]] const Air& air() const { return *air_; }
     [[nodiscard]] const std::string& device() const { return device_->name(); }
     [[nodiscard]] ShootMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
@@ -117,7 +119,7 @@ class Shoot {
     glm::ivec2 size_{0};
     glm::dvec3 anchor_{0.0};
     std::unique_ptr<engine::Device> device_{};
-    std::optional<windrow::vulkan::Wind> wind_{};
+    std::optional<Air> air_{};
     windrow::scene::SceneMotion motion_;
     BodyWakes wakes_{};
     std::optional<windrow::vulkan::GroundMemory> ground_{};

@@ -192,7 +192,7 @@ void Renderer::draw_shadows(PassContext context) {
     vkCmdEndRenderPass(context.commands);
 }
 
-PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
+PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind) {
     fill(camera);
     std::memcpy(blocks_[frame.slot].mapped, &block_, sizeof block_);
     return {.commands = frame.commands,
@@ -203,7 +203,7 @@ PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camer
             .slot = frame.slot};
 }
 
-windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind,
                                         std::span<Drawable* const> drawables) {
     if (auto judged = validate(camera); !judged)
         return judged;
@@ -214,7 +214,7 @@ windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera
     return {};
 }
 
-windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
+windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind) {
     if (auto judged = validate(camera); !judged)
         return judged;
     const PassContext context = context_of(frame, camera, wind);

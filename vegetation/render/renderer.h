@@ -80,10 +80,10 @@ class Renderer {
 
     /// Begins the frame's clock, before the wind is recorded.
     void begin(const engine::Frame& frame);
-    /// Records all passes, after the wind's. The camera is one that `validate` passes; another draws nothing and is rejected.
-    windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
+    /// Records all passes, after the wind's, which is a vulkan::Wind or an engine::CpuWind. The camera is one that `validate` passes; another draws nothing and is rejected.
+    windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind);
     /// A frame without a picture: what these drawables keep from one frame to the next (trees that swing) goes on as in `record`.
-    windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+    windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind,
                                   std::span<Drawable* const> drawables);
     /// Records the copy to the host, after `record`.
     void copy(const engine::Frame& frame);
@@ -105,7 +105,7 @@ class Renderer {
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
     void fill(const Camera& camera);
     /// The frame's blocks and descriptor sets, filled for this camera.
-    [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
+    [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind);
     void draw_shadows(PassContext context);
     void make_sets(const Scene& scene);
 

@@ -119,6 +119,9 @@ const std::string& Device::name() const {
 const VkPhysicalDeviceLimits& Device::limits() const {
     return state_->properties.limits;
 }
+bool Device::software() const {
+    return state_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
 bool Device::counts_vertices() const {
     return state_->counts_vertices;
 }

@@ -72,6 +72,8 @@ class Device {
     [[nodiscard]] VkQueue queue() const;
     [[nodiscard]] const std::string& name() const;
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const;
+    /// Whether the device is the CPU itself.
+    [[nodiscard]] bool software() const;
     /// Whether pipelineStatisticsQuery is enabled; false of a host's device.
     [[nodiscard]] bool counts_vertices() const;
 

@@ -31,7 +31,7 @@ VkSampler WindSet::sampler(const Boundaries& boundaries) {
     return sampler;
 }
 
-VkDescriptorSet WindSet::of(int slot, const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling) {
+VkDescriptorSet WindSet::of(int slot, const SampledWind& wind, glm::dvec3 anchor, const Sampling& sampling) {
     const vulkan::Textures now = wind.textures();
     if (now.vectors.view == VK_NULL_HANDLE)
         throw Failure("the wind has no texture of four components: create it with Settings::textures vectors or both.");
@@ -42,7 +42,7 @@ VkDescriptorSet WindSet::of(int slot, const vulkan::Wind& wind, glm::dvec3 ancho
     std::memcpy(block.mapped, &content, sizeof content);
     const vulkan::SetWrites writes(set, {.now = now,
                                          .before = wind.previous_textures(),
-                                         .sampler = sampler(wind.config().boundaries),
+                                         .sampler = sampler(wind.boundaries()),
                                          .block = {block.buffer, 0, sizeof content},
                                          .tile = wind.gust_buffer()});
     vkUpdateDescriptorSets(objects_.device().handle(), writes.size(), writes.data(), 0, nullptr);

@@ -1,0 +1,65 @@
+// The air of a picture, stepped on the device or on the CPU: one wind for what moves in it and what samples it.
+#pragma once
+
+#include "fluid/thread_pool.h"
+#include "fluid/vulkan/wind.h"
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/vulkan/wind_set.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace windrow::vegetation::program {
+
+/// What runs the air.
+enum class Backend { cpu, vulkan };
+
+struct AirSettings {
+    std::optional<Backend> backend{}; ///< default: vulkan on a GPU, cpu on a software device, where it is the faster one
+    bool gusts = false;               ///< room for gusts that begin later, as vulkan::Settings::gusts
+    bool pass_times = false;          ///< of the passes on the device
+    bool queries = false;             ///< `velocity` is asked: a wind on the device reads its cells back each frame
+};
+
+/// A windrow::scene::MovableWind.
+class Air {
+  public:
+    /// Rejects what the wind rejects. The device outlives it.
+    [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings);
+
+    [[nodiscard]] Motors& motors();
+    [[nodiscard]] Obstacles& obstacles();
+    Result<void> follow(glm::dvec3 point);
+    Result<void> set_floor(double height);
+    void reset();
+
+    /// The next `dt` [s], in ticks.
+    Result<void> record(const engine::Frame& frame, double dt);
+    [[nodiscard]] engine::SampledWind sampled() const;
+
+    [[nodiscard]] const Config& config() const;
+    [[nodiscard]] Box box() const;
+    [[nodiscard]] glm::dvec3 origin() const;
+    /// [m/s] Of the last frame on the CPU; of a frame that was read back on the device, and before one the ambient wind.
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 place) const;
+    void velocity(std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) const;
+
+    [[nodiscard]] Backend backend() const { return cpu_ ? Backend::cpu : Backend::vulkan; }
+    /// [us] The last frame's steps by the wall's clock; 0 on the device, whose own clock times them.
+    [[nodiscard]] double cpu_us() const { return cpu_us_; }
+    [[nodiscard]] std::optional<windrow::vulkan::PassTimes> pass_times() const;
+    /// [bytes] Device memory in use, and taken for it.
+    [[nodiscard]] std::uint64_t memory_bytes() const;
+    [[nodiscard]] std::uint64_t reserved_bytes() const;
+
+  private:
+    Air() = default;
+
+    std::optional<windrow::vulkan::Wind> device_{}; ///< this, or the next two
+    std::unique_ptr<ThreadPool> threads_{};
+    std::unique_ptr<engine::CpuWind> cpu_{};
+    double cpu_us_ = 0.0;
+};
+
+} // namespace windrow::vegetation::program
