@@ -1,13 +1,13 @@
-// Tutorial: the wind on the CPU, its textures on a Vulkan device. For a game that wants the air on the host (a server, replays, a GPU
-// that is full) and shaders that sample it.
+// Tutorial: the wind on the CPU, its textures on a Vulkan device. For a game that wants the air on the host (a server, replays, a
+// GPU that is full) and shaders that sample it.
 //
 //     cpu_textures [FILE]     blows for 20 s, draws the air to FILE (cpu_textures.ppm), compares the shader with the CPU
 //
-// 1. Make the wind without a device, and advance it as always.
-// 2. Make what its shaders need (vegetation/vulkan/cpu_wind.h): images of RGBA16F with a texel a cell, mapped staging buffers of as many
-//    bytes, a buffer of the gust tile; uniform buffers and sets (wind_set.h).
-// 3. In each frame write the cells as halves into the staging buffer (write_vectors) and copy it to the images; write the FrameBlock,
-//    which places them in the world; fill the set by vulkan::SetWrites.
+// 1. Make the wind, and advance it as always: an engine::CpuWind has a windrow::Wind, and what its shaders need.
+// 2. That is, for an engine of your own (vegetation/vulkan/cpu_wind.cpp, wind_set.cpp): two images of RGBA16F with a texel a cell,
+//    mapped staging buffers of as many bytes, a buffer of the gust tile, uniform buffers and sets.
+// 3. In each frame write the cells as halves into the staging buffer (write_vectors) and copy it to one of the images; write the
+//    FrameBlock, which places them in the world; fill the set by vulkan::SetWrites.
 // 4. Draw. A shader that includes shaders/coupling/windrow_wind.glsl calls windrow_velocity(p), as with a wind on the device.
 // 5. The shader gets what Wind::velocity returns, to the rounding of halves and of the texture unit's weights.
 //
@@ -106,7 +106,7 @@ void draw_air(const std::string& file) {
     // 3. The cells of a frame.
     const auto frames = engine::must(engine::Frames::create(*device));
     const engine::Frame frame = engine::must(frames->begin());
-    on_cpu->record(frame.commands, frame.slot);
+    engine::must(on_cpu->record(frame.commands, frame.slot));
     const VkDescriptorSet set = wind_set.of(frame.slot, *on_cpu, k_middle, {});
 
     // 4. What samples them.

@@ -50,9 +50,9 @@ Result<void> Air::record(const engine::Frame& frame, double dt) {
         return recorded ? Result<void>{} : Error{recorded.error()};
     }
     const auto begin = std::chrono::steady_clock::now();
-    if (cpu_->air().advance(dt).last.out_of_memory)
+    if (const Diagnostics last = cpu_->air().advance(dt).last; last.out_of_memory && !last.stepped)
         return Error{"there is no memory for the air's next step; give the scene fewer cells."};
-    const auto recorded = engine::guarded([&] { cpu_->record(frame.commands, frame.slot); });
+    const auto recorded = cpu_->record(frame.commands, frame.slot);
     cpu_us_ = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
     return recorded;
 }

@@ -12,7 +12,7 @@
 
 namespace windrow::vegetation::program {
 
-/// What runs the air.
+/// Solver of the air.
 enum class Backend { cpu, vulkan };
 
 struct AirSettings {
@@ -41,7 +41,8 @@ class Air {
     [[nodiscard]] const Config& config() const;
     [[nodiscard]] Box box() const;
     [[nodiscard]] glm::dvec3 origin() const;
-    /// [m/s] Of the last frame on the CPU; of a frame that was read back on the device, and before one the ambient wind.
+    /// [m/s] On the CPU of the last frame. On the device of the last one that was read back, k_frames_in_flight before; the
+    /// ambient wind before the first.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 place) const;
     void velocity(std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) const;
 

@@ -80,7 +80,8 @@ class Renderer {
 
     /// Begins the frame's clock, before the wind is recorded.
     void begin(const engine::Frame& frame);
-    /// Records all passes, after the wind's, which is a vulkan::Wind or an engine::CpuWind. The camera is one that `validate` passes; another draws nothing and is rejected.
+    /// Records all passes, after the wind's, which is a vulkan::Wind or an engine::CpuWind. The camera is one that `validate`
+    /// passes; another draws nothing and is rejected.
     windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind);
     /// A frame without a picture: what these drawables keep from one frame to the next (trees that swing) goes on as in `record`.
     windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind,

@@ -1,5 +1,5 @@
-// The air of a scene on both backends: the same wind at the same places, and the same picture. Their steps are held to each other by
-// tests/parity; here it is how a frame places what moves, and what shaders sample.
+// The air of a scene on both backends: the same wind at the same places, and the same picture. Their steps are held to each other
+// by tests/parity; here it is how a frame places what moves, and what shaders sample.
 #include "scene/scene_motion.h"
 #include "vegetation/program/air.h"
 #include "vegetation/program/picture_reader.h"
@@ -69,7 +69,7 @@ TEST_P(AirBackends, BlowTheSameWind) {
         }
     std::printf("%s: %.2g of %.3g m/s, which change by %.2g\n", GetParam(), apart, fastest, changed);
     EXPECT_LE(apart, 1e-5f * fastest) << "as tests/parity asks";
-    EXPECT_GE(changed, 1e-3f * fastest) << "a wind that stands still tells nothing of frames";
+    EXPECT_GE(changed, 1e-3f * fastest) << "a steady wind is the same in all frames, whichever is compared";
 }
 
 // Profile, gusts and hills; bodies that move; a box that follows; gusts with detail.
@@ -78,9 +78,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AirBackends, testing::Values("meadow", "train",
 
 class PictureBackends : public testing::TestWithParam<const char*> {};
 
-// Blurred along the motion, which the textures of the frame before tell. Where one backend rounds to a half and the other cuts, each
-// component is off by up to 2^-10, either way: no more may be seen than of a wind stronger by twice that, beside what the references
-// of all scenes may be off by. With the textures of this frame as those before, the meadow is off by 3.3.
+// Blurred along the motion vectors, for which shaders sample the textures of the frame before. Where one backend rounds to a half
+// and the other truncates, each component is off by up to 2^-10, either way. So the difference may be that of a wind stronger by
+// twice that, and the bound of all references. With the textures of this frame as those of the one before, gusts_fan is off by 3.3.
 TEST_P(PictureBackends, DrawTheSame) {
     auto scene = test::read_scene(GetParam());
     ASSERT_TRUE(scene) << scene.error();

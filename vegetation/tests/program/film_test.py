@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""film_test.py PROGRAM MAKE_FILM: a film of two small shots that is killed and goes on has the bytes of one that is not.
+"""film_test.py PROGRAM MAKE_FILM: a film of two small shots that is killed and goes on, both shots at a time, has the bytes of one
+drawn shot by shot.
 
 PROGRAM is windrow-draw, MAKE_FILM tools/make_film.py. With ffmpeg the shots are cut together, too.
 """
@@ -42,13 +43,13 @@ class Film(unittest.TestCase):
         return {shot: {file.name: file.read_bytes() for file in (self.folder / out / "frames" / shot).glob("frame_*.png")} for shot in FRAMES}
 
     def test_a_film_that_was_killed_goes_on_to_the_same_bytes(self):
-        run = self.run_film("whole", "--frames-only")
+        run = self.run_film("whole", "--frames-only", "--jobs", 1)
         self.assertEqual(run.returncode, 0, run.stdout)
         whole = self.pictures("whole")
         for shot, frames in FRAMES.items():
             self.assertEqual(sorted(whole[shot]), [f"frame_{n:04d}.png" for n in frames])
 
-        killed = subprocess.Popen(self.command("cut", "--frames-only"), start_new_session=True, stdout=subprocess.DEVNULL)
+        killed = subprocess.Popen(self.command("cut", "--frames-only", "--jobs", 2), start_new_session=True, stdout=subprocess.DEVNULL)
         first = self.folder / "cut" / "frames" / "01_low"
         until = time.monotonic() + 60
         while len(list(first.glob("frame_*.png"))) < 3 and time.monotonic() < until:
@@ -57,7 +58,7 @@ class Film(unittest.TestCase):
         killed.wait()
         there = {file.name: file.stat().st_mtime_ns for file in first.glob("frame_*.png")}
         self.assertTrue(3 <= len(there) < len(FRAMES["01_low"]), f"{len(there)} pictures were there when it was killed")
-        run = self.run_film("cut", "--frames-only")
+        run = self.run_film("cut", "--frames-only", "--jobs", 2)
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertIn(f"10 frames, {len(there)} are there", run.stdout)
         self.assertEqual({name: (first / name).stat().st_mtime_ns for name in there}, there, "pictures that were there are kept")
