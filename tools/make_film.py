@@ -10,7 +10,7 @@ cross-fades of one length. A shot has
     set       keys of the scene and their values in place of its own, as {"duration": 6}
 
 A run that is stopped, in whatever way, goes on by the same command: pictures are written whole, and those that are there are kept
-while program, scene and flags are the same. Needs ffmpeg; a software device draws 640 x 360 at one to three seconds a frame.
+while program, scene and flags are the same. Needs ffmpeg; a software device draws 640 x 360 at one to six seconds a frame.
 
 Several shots are drawn at a time (--jobs), since a frame leaves cores idle: a software device makes vertices by one thread, and a
 GPU waits while a picture is packed. The pictures' bytes are the same.
