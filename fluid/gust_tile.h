@@ -9,8 +9,8 @@
 //     x 128 texels
 #pragma once
 
-#include "api.h"
 #include "allocator.h"
+#include "api.h"
 
 #include <cstddef>
 #include <cstdint>

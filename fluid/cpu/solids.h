@@ -19,8 +19,8 @@
 // there, so a box that moves reads lists and computes no distance, except those of bodies that come into reach.
 #pragma once
 
-#include "fluid/api.h"
 #include "fluid/allocator.h"
+#include "fluid/api.h"
 #include "fluid/box.h"
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"

@@ -48,7 +48,7 @@ double solid_angle(const glm::vec3 (&corner)[3], glm::vec3 p) {
     const glm::dvec3 a(corner[0] - p), b(corner[1] - p), c(corner[2] - p);
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
     return 2.0 * numerics::atan2(glm::dot(a, glm::cross(b, c)),
-                            la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+                                 la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
 }
 
 // The sides of the edges are the same number, of the other sign, for both triangles of an edge.

@@ -15,7 +15,8 @@ TEST(CApiVulkan, BindingsAndSamplersAreThoseOfCpp) {
     for (const auto set : {vulkan::TextureSet::vectors, vulkan::TextureSet::axes}) {
         std::array<VkDescriptorSetLayoutBinding, WINDROW_VULKAN_MAX_BINDINGS> bindings{};
         const auto wanted = vulkan::set_bindings(set, VK_SHADER_STAGE_VERTEX_BIT, 3);
-        ASSERT_EQ(windrow_vulkan_set_bindings(static_cast<int>(set), VK_SHADER_STAGE_VERTEX_BIT, 3, bindings.data()), wanted.size());
+        ASSERT_EQ(windrow_vulkan_set_bindings(static_cast<int>(set), VK_SHADER_STAGE_VERTEX_BIT, 3, bindings.data()),
+                  wanted.size());
         for (std::uint32_t n = 0; n < wanted.size(); ++n) {
             EXPECT_EQ(bindings[n].binding, wanted.data()[n].binding);
             EXPECT_EQ(bindings[n].descriptorType, wanted.data()[n].descriptorType);

@@ -79,7 +79,8 @@ TEST(SceneFault, Ranges) {
     expect_rejection(R"({"tick_hz": 0})", "a.json: $.tick_hz is 0 Hz: give 1 to 10000 Hz.");
     expect_rejection(R"({"vdb": {"grids": {"density": true}}})",
                      "a.json: $.vdb.grids asks for density, and no smoke makes any: add $.smoke, or remove it.");
-    expect_rejection(R"({"vdb": {"margin": 3, "box": {}}})", "a.json: $.vdb holds both \"margin\" and \"box\": keep one of them.");
+    expect_rejection(R"({"vdb": {"margin": 3, "box": {}}})",
+                     "a.json: $.vdb holds both \"margin\" and \"box\": keep one of them.");
     expect_rejection(R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 1000})",
                      "a.json: $.duration is 1e6 s, 1000000001 frames: give at most 100000 frames, by a shorter duration or fewer "
                      "frames_per_second.");

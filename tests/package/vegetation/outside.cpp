@@ -1,14 +1,13 @@
 // outside PICTURE.ppm [bare]: a picture of 320 x 180 pixels, level ground under a sky, with grass in wind or bare.
 //
 // A program outside of the project. It uses installed headers and libraries only.
-#include <windrow/fluid/wind.h>
-#include <windrow/vegetation/render/grass_layer.h>
-#include <windrow/vegetation/render/renderer.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vulkan/vulkan.h>
+#include <windrow/fluid/wind.h>
+#include <windrow/vegetation/render/grass_layer.h>
+#include <windrow/vegetation/render/renderer.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace grass = windrow::vegetation::grass;
