@@ -19,7 +19,6 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
     using windrow::vulkan::ReadBack;
     auto wind = windrow::vulkan::Wind::create(device.host(), config,
                                               {.frames_in_flight = engine::k_frames_in_flight,
-                                               .gusts = settings.gusts,
                                                .timestamps = settings.pass_times,
                                                .queries = settings.queries ? ReadBack::cells : ReadBack::none});
     if (!wind)

@@ -17,7 +17,6 @@ enum class Backend { cpu, vulkan };
 
 struct AirSettings {
     std::optional<Backend> backend{}; ///< default: vulkan on a GPU, cpu on a software device, where it is the faster one
-    bool gusts = false;               ///< room for gusts that begin later, as vulkan::Settings::gusts
     bool pass_times = false;          ///< of the passes on the device
     bool queries = false;             ///< `velocity` is asked: a wind on the device reads its cells back each frame
 };

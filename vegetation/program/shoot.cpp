@@ -50,13 +50,11 @@ Result<void> Shoot::make() {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};
         air.cells = glm::ivec3(8); // something to sample
+    } else if (picture.sampling.detail > 0.0f && air.gusts.intensity <= 0.0f) {
+        air.gusts.tile = windrow::GustTile::standard(); // the pattern of the detail, where no gusts bring one
     }
     const bool asked = settings_.show == Show::streaks || Figures::any(scene_); // by the host, for streaks and cloaks
-    auto wind = Air::create(*device_, air,
-                            {.backend = settings_.backend,
-                             .gusts = picture.sampling.detail > 0.0f,
-                             .pass_times = settings_.pass_times,
-                             .queries = asked});
+    auto wind = Air::create(*device_, air, {.backend = settings_.backend, .pass_times = settings_.pass_times, .queries = asked});
     if (!wind)
         return Error{"$.air: " + wind.error()};
     air_ = *std::move(wind);

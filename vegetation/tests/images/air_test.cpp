@@ -76,6 +76,19 @@ TEST_P(AirBackends, BlowTheSameWind) {
 INSTANTIATE_TEST_SUITE_P(Scenes, AirBackends, testing::Values("meadow", "train", "wolf", "wake"),
                          [](const auto& scene) { return std::string(scene.param); });
 
+// looks/low has neither gusts nor motors: what moves its blades is the detail alone.
+TEST(Detail, MovesALawnInASteadyWind) {
+    auto scene = read_picture_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples/scenes/looks/low.json");
+    ASSERT_TRUE(scene) << scene.error();
+    const ShootSettings settings{.size = glm::ivec2(64, 36), .frames_per_second = 10.0, .warm_up = 0.0};
+    scene->air.duration = 0.3;
+    const auto before = test::last_picture(*scene, settings);
+    scene->air.duration = 0.6;
+    const auto after = test::last_picture(*scene, settings);
+    ASSERT_TRUE(before && after);
+    EXPECT_GT(test::apart(*before, *after).mean, 0.02) << "more than the references may be off by; without a pattern it is 0";
+}
+
 class PictureBackends : public testing::TestWithParam<const char*> {};
 
 // Blurred along the motion vectors, for which shaders sample the textures of the frame before. Where one backend rounds to a half
