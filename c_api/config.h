@@ -127,7 +127,7 @@ typedef struct windrow_config {
     float cell_size; /* [m] */
     windrow_boundaries boundaries;
     int32_t follow_axes;                /* WINDROW_FOLLOW_*: bits, or the default, which is the axes with two open boundaries */
-    windrow_dvec3 centre;               /* [m] */
+    windrow_dvec3 centre;               /* [m]; its height does not count over a floor */
     windrow_vec3 ambient;               /* [m/s] mean wind */
     uint32_t reserved;                  /* 0 */
     const windrow_log_profile* profile; /* null: the same wind at all heights */
@@ -143,12 +143,13 @@ typedef struct windrow_config {
     windrow_interpolation interpolation;
     float max_cfl;
     int32_t max_substeps;
-    int32_t pressure_solves; /* 0: one, two while obstacles move */
+    int32_t pressure_solves; /* 0: two, eight in the first step of a flow */
     uint32_t stages;         /* WINDROW_STAGE_* */
     double ticks_hz;         /* fixed ticks a second of windrow_wind_advance */
     int32_t ticks_max_per_call;
     windrow_simd simd;
     windrow_parallel_for parallel_for;
+    double floor; /* [m] height of the ground, where boundaries.y_low is a wall; default 0 */
 } windrow_config;
 /* The defaults: 32 x 16 x 32 cells of 1 m, open air, no wind. */
 WINDROW_C_API windrow_result windrow_config_init(windrow_config* config, uint32_t struct_size);

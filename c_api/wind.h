@@ -43,7 +43,7 @@ typedef struct windrow_diagnostics {
     double divergence_rms; /* [1/s] */
     double energy;         /* [m^5/s^2] */
     int32_t asleep;
-    uint32_t reserved; /* 0 */
+    int32_t motors_lost;
     windrow_stage_times times_ms;
 } windrow_diagnostics;
 WINDROW_C_API windrow_result windrow_diagnostics_init(windrow_diagnostics* diagnostics, uint32_t struct_size);
@@ -160,7 +160,7 @@ WINDROW_C_API windrow_result windrow_wind_write_vectors(const windrow_wind* wind
 /* Three textures, one an axis. `count`: numbers behind each, one for each cell. */
 WINDROW_C_API windrow_result windrow_wind_write_axes(const windrow_wind* wind, windrow_frame frame, windrow_texel texel, void* x,
                                                      void* y, void* z, uint64_t count);
-/* 1 for each cell whose centre is inside an obstacle, else 0; on the CPU. */
+/* 1 for each cell whose centre is inside an obstacle, else 0. */
 WINDROW_C_API windrow_result windrow_wind_write_obstacles(const windrow_wind* wind, float* cells, uint64_t count);
 /* [m^2/s^2] Pressure over the air's density at the end of the last step, one value a cell; on the CPU. Allocates. */
 WINDROW_C_API windrow_result windrow_wind_write_pressure(windrow_wind* wind, float* cells, uint64_t count);

@@ -1,5 +1,5 @@
-// A wind on the CPU or on a Vulkan device, for a caller who asks what a step did before it asks for the next: the calls of
-// windrow::Wind that such a caller makes (fluid/wind.h says more of each).
+// A wind on the CPU or on a Vulkan device, for a caller who asks what a step did before it asks for the next: control is that of
+// both (fluid/wind_control.h), and reading too (fluid/wind_reader.h).
 #pragma once
 
 #include "fluid/wind.h"
@@ -9,9 +9,11 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace windrow::vulkan {
 class OwnDevice;
@@ -61,50 +63,41 @@ class Backend {
 /// always does.
 enum class BackendClock : std::uint8_t { off, on };
 
-class BackendWind {
+class BackendWind : public WindControl {
   public:
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
                                                                      BackendClock clock = BackendClock::off);
-    ~BackendWind();
+    virtual ~BackendWind() = default;
     BackendWind(const BackendWind&) = delete;
     BackendWind& operator=(const BackendWind&) = delete;
 
     /// Reports what this step did, on a device too: there it waits. A device that fails steps no more, and Backend::fault says
     /// why.
-    Diagnostics step(double dt);
+    virtual Diagnostics step(double dt) = 0;
 
-    [[nodiscard]] Motors& motors();
-    [[nodiscard]] const Motors& motors() const;
-    [[nodiscard]] Obstacles& obstacles();
-    [[nodiscard]] const Obstacles& obstacles() const;
-    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
-    [[nodiscard]] Result<void> follow(glm::dvec3 point);
-    [[nodiscard]] Result<void> set_floor(double height);
-    void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
-    [[nodiscard]] Result<void> set_velocity(std::span<const glm::vec4> field);
-    void reset();
-
-    [[nodiscard]] const Config& config() const;
-    [[nodiscard]] glm::dvec3 origin() const;
-    [[nodiscard]] glm::vec3 ambient() const;
-    /// Of now; good until the next step or change. Where a device failed, its cells are no numbers.
+    /// Of now; what it returns is good until the next step or change.
+    [[nodiscard]] virtual WindReader& reader() const = 0;
+    /// Where a device failed, its cells are no numbers.
     [[nodiscard]] WindView view() const;
-
-    /// None on a device, which has no obstacles.
-    Result<void> write_obstacles(std::span<float> cells) const;
-    /// Rejected on a device, which hands out no pressure.
-    Result<void> write_pressure(std::span<float> cells);
-    [[nodiscard]] Box box() const { return view().box(); }
     [[nodiscard]] std::span<const glm::vec4> field() const { return view().field(); }
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
         view().velocity(positions, velocities);
     }
 
+    using WindControl::set_velocity;
+    /// Throws std::bad_alloc.
+    void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at) {
+        if (!WindControl::set_velocity(velocity_at))
+            throw std::bad_alloc();
+    }
+
+  protected:
+    explicit BackendWind(const WindControl& wind) : WindControl(wind) {}
+
   private:
-    struct EitherWind; // a windrow::Wind, or a DeviceWind
-    explicit BackendWind(std::unique_ptr<EitherWind> wind);
-    std::unique_ptr<EitherWind> wind_;
+    [[nodiscard]] virtual bool failed() const { return false; }
+    mutable std::vector<glm::vec4> broken_; ///< cells of a device that failed
 };
 
 } // namespace windrow::cases

@@ -3,7 +3,6 @@
 #include "fluid/vulkan/own_device.h"
 
 #include <chrono>
-#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -11,20 +10,25 @@ namespace windrow::cases {
 
 namespace {
 
-// The stage of the step that a pass belongs to.
+// The stage of the step that a pass belongs to. What is at obstacles is a stage of its own, as on the CPU; `lift`, which follows a box
+// that rose, belongs to none.
 void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
     const std::string_view name = pass.name;
-    double& stage = name.starts_with("diffuse")                                            ? times.diffusion
-                    : name == "pad" || name == "advect"                                    ? times.advection
-                    : name.starts_with("modes") || name == "columns" || name == "gradient" ? times.projection
-                    : name == "show"                                                       ? times.report
-                                                                                           : times.sources;
+    const auto is_one_of = [&](const auto&... names) { return ((name == names) || ...); };
+    if (name == "lift")
+        return;
+    double& stage = name.starts_with("diffuse") || name == "stress"                 ? times.diffusion
+                    : name == "pad" || name.starts_with("advect")                   ? times.advection
+                    : name.starts_with("modes") || is_one_of("columns", "gradient") ? times.projection
+                    : is_one_of("residual", "surface", "rooms", "terms", "loads")   ? times.obstacles
+                    : is_one_of("show", "report", "read_cells", "read_points")      ? times.report
+                                                                                    : times.sources;
     stage += 1e-3 * pass.us;
 }
 
 } // namespace
 
-Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock) {
+Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock) {
     vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1, .queries = vulkan::ReadBack::cells};
     settings.timestamps = clock == BackendClock::on;
     auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
@@ -34,7 +38,7 @@ Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backe
     }
     if (!wind)
         return Error{wind.error()};
-    return DeviceWind(backend, *std::move(wind));
+    return std::unique_ptr<BackendWind>(new DeviceWind(backend, std::make_unique<vulkan::Wind>(*std::move(wind))));
 }
 
 Diagnostics DeviceWind::run(double dt) const {
@@ -43,28 +47,32 @@ Diagnostics DeviceWind::run(double dt) const {
         return {};
     Result<Diagnostics> recorded = Diagnostics{};
     const auto ran =
-        backend_.device()->run([&](VkCommandBuffer commands) { recorded = wind_.record_step(commands, {.dt = dt, .slot = 0}); });
+        backend_.device()->run([&](VkCommandBuffer commands) { recorded = wind_->record_step(commands, {.dt = dt, .slot = 0}); });
     if (!ran || !recorded) {
         backend_.note_fault(ran ? recorded.error() : ran.error());
         return {};
     }
     Diagnostics done = *recorded;
-    const bool taken = wind_.collect(0); // none while it sleeps
+    const bool taken = wind_->collect(0); // none while it sleeps
     read_ = taken || (read_ && done.asleep);
     if (!taken && !done.asleep)
         backend_.note_fault("The device's read-back cannot be read: its memory was not made visible to the host.");
     if (taken && done.asleep) { // what the last step before sleep did
-        const Diagnostics reported = wind_.reported();
+        const Diagnostics reported = wind_->reported();
         done.repaired_cells = reported.repaired_cells;
         done.limited_cells = reported.limited_cells;
     } else if (taken && done.stepped) {
-        // A recording tells of the step before; which motors act, and how it diffuses, it knows itself.
-        Diagnostics reported = wind_.reported();
+        // A recording reports the step before; what the host decides is of this one.
+        Diagnostics reported = wind_->reported();
         reported.stepped = true;
+        reported.out_of_memory = done.out_of_memory;
+        reported.regridded = done.regridded;
         reported.motors_in_reach = done.motors_in_reach;
+        reported.motors_lost = done.motors_lost;
         reported.diffusion = done.diffusion;
+        reported.sealed_sources = done.sealed_sources;
         done = reported;
-        if (const auto times = wind_.pass_times())
+        if (const auto times = wind_->pass_times())
             for (const vulkan::PassTimes::Pass& pass : times->passes)
                 add_to_stage(pass, done.times_ms);
     }
@@ -72,13 +80,10 @@ Diagnostics DeviceWind::run(double dt) const {
     return done;
 }
 
-WindView DeviceWind::view() const {
-    if (!read_)
+WindReader& DeviceWind::reader() const {
+    if ((!read_ || wind_->waits()) && backend_.fault().empty())
         run(0.0);
-    if (const auto read = wind_.queried(); read && backend_.fault().empty())
-        return *read;
-    broken_.assign(box_.cell_count(), glm::vec4(std::numeric_limits<float>::quiet_NaN()));
-    return {box_, Window{.cells = box_.cells, .cell_size = box_.cell_size}, BlendZone{}, wind_.ambient_wind(), broken_};
+    return *wind_;
 }
 
 } // namespace windrow::cases

@@ -15,22 +15,16 @@ Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads
     if (!wind)
         return Error{message(scene.file.string(), ": $.air: ", wind.error())};
     Playback playback(scene, *std::move(wind));
-    // The first frame is taken before any step: the box already lies where it will be needed.
-    if (const auto placed = playback.motion_.begin(*playback.wind_); !placed)
-        return Error{placed.error()};
-    // Air that was filled in before the floor stood where it belongs has the wind of other heights.
-    playback.wind_->reset();
+    if (const auto begun = playback.air_.begin(*playback.wind_); !begun)
+        return Error{begun.error()};
     return playback;
 }
 
 Result<Diagnostics> Playback::step(const scene::FrameTimes& times) {
-    const double end = times.time_of_step(steps_ + 1);
-    if (const auto placed = motion_.place(*wind_, time_, end); !placed)
+    const std::int64_t next = steps() + 1;
+    if (const auto placed = air_.advance_to(*wind_, times.time_of_step(next)); !placed)
         return Error{placed.error()};
-    const Diagnostics diagnostics = wind_->step(times.length_of_step(steps_ + 1));
-    ++steps_;
-    time_ = end;
-    return diagnostics;
+    return wind_->step(times.length_of_step(next));
 }
 
 } // namespace windrow::cli

@@ -1,10 +1,12 @@
-// A scene that runs: the wind, and what moves in it.
+// A scene that runs: its air (scene/scene_air.h) in a wind of the command's backend.
 #pragma once
 
 #include "cases/backend_wind.h"
-#include "scene/scene_motion.h"
+#include "scene/scene_air.h"
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace windrow::cli {
@@ -18,31 +20,28 @@ class Playback {
     /// Advances by one step of the times given: what moves is put where it is at the step's end, and the air follows.
     [[nodiscard]] Result<Diagnostics> step(const scene::FrameTimes& times);
     /// The same by one tick of the scene, 1 / tick_hz.
-    [[nodiscard]] Result<Diagnostics> tick() { return step({0.0, scene_->tick_hz, scene_->tick_hz}); }
+    [[nodiscard]] Result<Diagnostics> tick() { return step({0.0, scene().tick_hz, scene().tick_hz}); }
 
     /// [s]
-    [[nodiscard]] double time() const { return time_; }
-    [[nodiscard]] std::int64_t steps() const { return steps_; }
+    [[nodiscard]] double time() const { return air_.time(); }
+    [[nodiscard]] std::int64_t steps() const { return air_.steps(); }
     [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] cases::BackendWind& wind() { return *wind_; }
-    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+    [[nodiscard]] const scene::SceneAir& air() const { return air_; }
+    [[nodiscard]] const scene::Scene& scene() const { return air_.scene(); }
 
-    using ActingMotor = scene::SceneMotion::ActingMotor;
+    using ActingMotor = scene::SceneAir::ActingMotor;
     /// Those that act at this time, in the scene's order; not those that have ended by themselves.
-    [[nodiscard]] std::vector<ActingMotor> acting() const { return motion_.acting(wind().motors(), time()); }
+    [[nodiscard]] std::vector<ActingMotor> acting() const { return air_.acting(wind().motors()); }
 
     /// Obstacles that are there at this time, in the scene's order.
-    [[nodiscard]] std::vector<scene::SceneMotion::StandingObstacle> standing() const { return motion_.standing(time()); }
+    [[nodiscard]] std::vector<scene::SceneAir::StandingObstacle> standing() const { return air_.standing(time()); }
 
   private:
-    Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind)
-        : scene_(&scene), wind_(std::move(wind)), motion_(scene) {}
+    Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind) : wind_(std::move(wind)), air_(scene) {}
 
-    const scene::Scene* scene_;
     std::unique_ptr<cases::BackendWind> wind_;
-    scene::SceneMotion motion_;
-    std::int64_t steps_ = 0;
-    double time_ = 0.0;
+    scene::SceneAir air_;
 };
 
 } // namespace windrow::cli

@@ -26,9 +26,9 @@ namespace {
 using detail::message;
 
 #if WINDROW_WITH_IMAGES
-constexpr scene::HeightPictureReader k_height_pictures = pictures::read_heights;
+constexpr scene::FileReaders k_readers{.heights = pictures::read_heights};
 #else
-constexpr scene::HeightPictureReader k_height_pictures = nullptr;
+constexpr scene::FileReaders k_readers{};
 #endif
 
 /// Rejects a flag whose part was not built in, before anything else is done.
@@ -140,11 +140,13 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
 int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_parts(request, console))
         return k_exit_wrong_use;
-    auto scene = scene::read_scene(request.scene, k_height_pictures);
+    auto scene = scene::read_scene(request.scene, k_readers);
     if (!scene) {
         console.complain(scene.error());
         return k_exit_wrong_use;
     }
+    for (const std::string& sentence : scene->warnings)
+        console.warn(sentence);
     scene->air.simd = request.simd;
     if (const auto applied = apply(request.film, request.backend, *scene); !applied) {
         console.complain(applied.error());

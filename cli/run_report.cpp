@@ -34,7 +34,7 @@ std::string slept(const Timings& timings) {
     return text + " (medians)";
 }
 
-void warn_of_cells(const RunReport& report, const Console& console) {
+void warn(const RunReport& report, const Console& console) {
     const Timings& timings = report.timings;
     if (timings.limited_cells() > 0)
         console.warn(message("in ", timings.limited_steps(), " of ", plural(timings.steps(), "step"),
@@ -46,6 +46,10 @@ void warn_of_cells(const RunReport& report, const Console& console) {
         console.warn(message(plural(timings.repaired_cells(), "cell"), " held NaN or infinity and ",
                              timings.repaired_cells() == 1 ? "was" : "were", " set to ambient, first at ",
                              timings.first_repair_time(), " s."));
+    if (timings.motors_lost() > 0)
+        console.warn(message(plural(timings.motors_lost(), "motor"),
+                             " reached no air in any step: ", timings.motors_lost() == 1 ? "it is" : "they are",
+                             " under the ground or far outside of the box; compare $.motors with $.floor and $.air."));
 }
 
 // Of a box with rows of its own.
@@ -99,7 +103,7 @@ void report_run(const RunReport& report, const Console& console) {
     if (report.writer.vdbs() > 0)
         console.out << ", VDB " << to_fixed(report.writer.vdb_seconds(), 2) << " s";
     console.out << "\n";
-    warn_of_cells(report, console);
+    warn(report, console);
     if (const std::string files = list_files(report); !files.empty())
         console.out << "In " << report.folder.string() << ": " << files << ".\n";
     else

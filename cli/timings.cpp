@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <numeric>
 #include <string_view>
+#include <type_traits>
 
 namespace windrow::cli {
 namespace {
@@ -22,15 +24,34 @@ std::string row(const std::string& name, const std::vector<float>& values, doubl
                            right(to_fixed(quantile(values, 0.99), 3), 10), right(to_fixed(share, 0) + " %", 9), "\n");
 }
 
-const char* name_of(DiffusionMethod method) {
-    switch (method) {
-    case DiffusionMethod::one_pass:
-        return "one_pass";
-    case DiffusionMethod::implicit:
-        return "implicit";
-    default:
-        return "none";
-    }
+/// Calls visit(row, value) for each figure, each stage among them.
+template <class Report, class Visit>
+void for_each_figure(const Report& report, const Visit& visit) {
+    for_each_row(report, [&](const auto& row, const auto& value) {
+        if constexpr (requires { value.rows(); })
+            for_each_figure(value, visit);
+        else
+            visit(row, value);
+    });
+}
+
+/// "energy_m5_s2"
+std::string column(std::string name, std::string_view unit) {
+    name += unit.empty() ? "" : "_";
+    for (const char letter : unit)
+        if (letter != '^')
+            name += letter == '/' ? '_' : letter;
+    return name;
+}
+
+template <class Value>
+auto cell(Value value) {
+    if constexpr (std::is_enum_v<Value>)
+        return k_words<Value>[static_cast<std::size_t>(value)];
+    else if constexpr (std::same_as<Value, bool>)
+        return value ? 1 : 0;
+    else
+        return value;
 }
 
 } // namespace
@@ -39,14 +60,15 @@ void Timings::add(double time, const Diagnostics& diagnostics) {
     // A step asleep has no stages, and its microseconds among the others would make a step look cheaper than it is.
     if (diagnostics.asleep)
         asleep_ms_.push_back(static_cast<float>(diagnostics.times_ms.total));
-    for (std::size_t i = 0; i < k_stages.size() && !diagnostics.asleep; ++i)
-        stage_ms_[i].push_back(static_cast<float>(diagnostics.times_ms.*k_stages[i].value));
+    for (std::size_t i = 0; i < stage_ms_.size() && !diagnostics.asleep; ++i)
+        stage_ms_[i].push_back(static_cast<float>(diagnostics.times_ms.*StageTimes::rows()[i].member));
     substeps_ += diagnostics.substeps;
     largest_cfl_ = std::max(largest_cfl_, diagnostics.cfl);
     largest_speed_ = std::max(largest_speed_, diagnostics.max_speed);
     limited_cells_ += diagnostics.limited_cells;
     limited_steps_ += diagnostics.limited_cells > 0 ? 1 : 0;
     repaired_cells_ += diagnostics.repaired_cells;
+    motors_lost_ = std::min(diagnostics.motors_lost, motors_lost_.value_or(diagnostics.motors_lost));
     if (diagnostics.repaired_cells > 0 && !first_repair_time_)
         first_repair_time_ = time;
 }
@@ -67,8 +89,8 @@ std::string Timings::table() const {
     std::string text = detail::message("  stage         ", right("min ms", 10), right("median ms", 10), right("99 % ms", 10),
                                        right("share", 9), "\n");
     std::vector<float> rest = stage_ms_.back();
-    for (std::size_t i = 0; i + 1 < k_stages.size(); ++i) {
-        text += row(k_stages[i].name, stage_ms_[i], whole);
+    for (std::size_t i = 0; i < k_stage_count; ++i) {
+        text += row(StageTimes::rows()[i].name, stage_ms_[i], whole);
         for (std::size_t k = 0; k < rest.size(); ++k)
             rest[k] -= stage_ms_[i][k];
     }
@@ -89,21 +111,14 @@ float quantile(std::vector<float> values, double q) {
 }
 
 std::string timings_header() {
-    std::string text =
-        "step,time_s,stepped,max_speed_m_s,cfl,substeps,substeps_capped,limited_cells,repaired_cells,motors_in_reach,"
-        "diffusion,divergence_rms_1_s,energy_m5_s2,asleep";
-    for (const StageColumn& stage : k_stages)
-        text += detail::message(",", stage.name, "_ms");
+    std::string text = "step,time_s";
+    for_each_figure(Diagnostics{}, [&](const auto& row, const auto&) { text += "," + column(row.name, row.unit); });
     return text + "\n";
 }
 
-std::string timings_row(std::int64_t step, double time, const Diagnostics& d) {
-    std::string text =
-        detail::message(step, ",", time, ",", d.stepped ? 1 : 0, ",", d.max_speed, ",", d.cfl, ",", d.substeps, ",",
-                        d.substeps_capped ? 1 : 0, ",", d.limited_cells, ",", d.repaired_cells, ",", d.motors_in_reach, ",",
-                        name_of(d.diffusion), ",", d.divergence_rms, ",", d.energy, ",", d.asleep ? 1 : 0);
-    for (const StageColumn& stage : k_stages)
-        text += detail::message(",", d.times_ms.*stage.value);
+std::string timings_row(std::int64_t step, double time, const Diagnostics& diagnostics) {
+    std::string text = detail::message(step, ",", time);
+    for_each_figure(diagnostics, [&](const auto&, const auto& value) { text += detail::message(",", cell(value)); });
     return text + "\n";
 }
 

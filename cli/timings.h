@@ -4,6 +4,7 @@
 #include "fluid/diagnostics.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,17 +12,8 @@
 
 namespace windrow::cli {
 
-/// A stage of the step, as StageTimes has it. The last is the whole step.
-struct StageColumn {
-    const char* name;
-    double StageTimes::*value;
-};
-inline constexpr std::array k_stages = {
-    StageColumn{"sources", &StageTimes::sources},       StageColumn{"ambient", &StageTimes::ambient},
-    StageColumn{"diffusion", &StageTimes::diffusion},   StageColumn{"advection", &StageTimes::advection},
-    StageColumn{"projection", &StageTimes::projection}, StageColumn{"report", &StageTimes::report},
-    StageColumn{"total", &StageTimes::total},
-};
+/// Stages of the step: the rows of StageTimes without the last, the whole step.
+inline constexpr std::size_t k_stage_count = StageTimes::rows().size() - 1;
 
 class Timings {
   public:
@@ -38,6 +30,8 @@ class Timings {
     [[nodiscard]] std::int64_t limited_cells() const { return limited_cells_; }
     [[nodiscard]] std::int64_t limited_steps() const { return limited_steps_; }
     [[nodiscard]] std::int64_t repaired_cells() const { return repaired_cells_; }
+    /// Motors that reached no air, at least so many in every step.
+    [[nodiscard]] int motors_lost() const { return motors_lost_.value_or(0); }
     [[nodiscard]] double first_repair_time() const { return first_repair_time_.value_or(0.0); } ///< [s]
     /// [s] Wall-clock time of all steps.
     [[nodiscard]] double solver_seconds() const;
@@ -47,23 +41,24 @@ class Timings {
     [[nodiscard]] std::string table() const;
 
   private:
-    std::array<std::vector<float>, k_stages.size()> stage_ms_; ///< of steps that were awake
-    std::vector<float> asleep_ms_;                             ///< whole steps
+    std::array<std::vector<float>, k_stage_count + 1> stage_ms_; ///< of steps that were awake; the last: whole steps
+    std::vector<float> asleep_ms_;                               ///< whole steps
     std::int64_t substeps_ = 0;
     float largest_cfl_ = 0.0f;
     float largest_speed_ = 0.0f;
     std::int64_t limited_cells_ = 0;
     std::int64_t limited_steps_ = 0;
     std::int64_t repaired_cells_ = 0;
+    std::optional<int> motors_lost_{};
     std::optional<double> first_repair_time_;
 };
 
 /// The value that a share `q` of the values lies at or below: the nearest rank. 0 without values.
 [[nodiscard]] float quantile(std::vector<float> values, double q);
 
-/// The names of the columns, with units, ended by a line break.
+/// The columns, ended by a line break: step, time_s and each figure of the report, named with its unit (max_speed_m_s).
 [[nodiscard]] std::string timings_header();
-/// One row, ended by a line break; figures in their shortest exact form.
+/// One row, ended by a line break; figures in their shortest exact form, flags as 0 and 1.
 [[nodiscard]] std::string timings_row(std::int64_t step, double time, const Diagnostics& diagnostics);
 
 } // namespace windrow::cli

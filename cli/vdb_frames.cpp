@@ -57,10 +57,18 @@ Fault VdbFrames::follow(const Playback& playback, double dt) {
 
 Fault VdbFrames::write(Playback& playback, std::int64_t number) {
     const auto frame = static_cast<int>(number);
-    const WindView air = playback.wind().view();
+    const auto shown = air_of(playback);
+    if (!shown)
+        return {shown.error(), true};
+    const WindView& air = *shown;
     const auto region = region_of(scene_->vdb, air);
-    if (!region)
-        return written(vdb::grid_of(playback.wind()), frame, playback.time());
+    if (!region) {
+        auto grid = vdb::grid_of(playback.wind(), playback.wind().reader());
+        if (!grid)
+            return {grid.error(), true};
+        grid->field = air.field();
+        return written(*grid, frame, playback.time());
+    }
     if (!smoke_)
         if (const Fault fault = follow(playback, 0.0))
             return fault;
@@ -69,12 +77,6 @@ Fault VdbFrames::write(Playback& playback, std::int64_t number) {
     const std::size_t cells = air.box().cell_count();
     std::vector<vdb::CellScalar> scalars;
     const auto made = detail::where_memory_lasts([&]() -> Result<void> {
-        obstacle_.clear();
-        if (playback.wind().obstacles().count() > 0) {
-            obstacle_.resize(cells);
-            if (auto marked = playback.wind().write_obstacles(obstacle_); !marked)
-                return marked;
-        }
         if (grids.divergence) {
             if (auto found = find_divergence(air, playback.wind().obstacles().in_reach()); !found)
                 return found;
@@ -82,7 +84,7 @@ Fault VdbFrames::write(Playback& playback, std::int64_t number) {
         }
         if (grids.pressure) {
             pressure_.resize(cells);
-            if (auto found = playback.wind().write_pressure(pressure_); !found)
+            if (auto found = playback.wind().reader().write_pressure(pressure_); !found)
                 return found;
             scalars.push_back({"pressure", "m^2/s^2", pressure_});
         }
@@ -101,6 +103,25 @@ Fault VdbFrames::write(Playback& playback, std::int64_t number) {
     if (!film)
         return {detail::message(scene_->file.string(), ": $.vdb: ", film.error()), false};
     return written(film->grid, frame, playback.time());
+}
+
+Result<WindView> VdbFrames::air_of(const Playback& playback) {
+    const WindView air = playback.wind().view();
+    obstacle_.clear();
+    if (playback.wind().obstacles().count() == 0 || (playback.steps() > 0 && !scene_->vdb.holds_more()))
+        return air;
+    return detail::where_memory_lasts([&]() -> Result<WindView> {
+        obstacle_.resize(air.field().size());
+        if (auto marked = playback.wind().reader().write_obstacles(obstacle_); !marked)
+            return Error{marked.error()};
+        if (playback.steps() > 0)
+            return air;
+        first_.assign(air.field().begin(), air.field().end());
+        for (std::size_t cell = 0; cell < first_.size(); ++cell)
+            if (obstacle_[cell] > 0.0f)
+                first_[cell] = glm::vec4(0.0f);
+        return WindView(air.box(), air.window(), air.blend_zone(), air.ambient(), first_);
+    });
 }
 
 Result<void> VdbFrames::find_divergence(const WindView& air, std::span<const PlacedObstacle> obstacles) {

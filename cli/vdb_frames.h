@@ -25,6 +25,9 @@ class VdbFrames {
     [[nodiscard]] Fault write(Playback& playback, std::int64_t number);
 
   private:
+    /// The wind's cells, and those inside obstacles in `obstacle_` where they are asked for. Before the first step the cells inside
+    /// hold the velocity of bodies that have appeared, 0, as they hold their body's after each step.
+    [[nodiscard]] Result<WindView> air_of(const Playback& playback);
     [[nodiscard]] Result<void> find_divergence(const WindView& air, std::span<const PlacedObstacle> obstacles);
     [[nodiscard]] Fault written(const vdb::VelocityGrid& grid, int number, double time);
 
@@ -33,6 +36,7 @@ class VdbFrames {
     ParallelFor parallel_for_;
     std::optional<Tracer> smoke_;
     std::optional<Workspace> work_; ///< of the divergence
+    std::vector<glm::vec4> first_;
     std::vector<float> obstacle_, divergence_, pressure_;
 };
 

@@ -1,62 +1,144 @@
 // Report of a step: figures of the air, and each correction beyond the equations (limits, repairs, sleep).
+//
+// Each struct has a table of its figures: name, unit, meaning. CSV files, the command's tables and docs/report.md are made from
+// these rows, and the C struct has a field for each. A new figure is its declaration and its row.
 #pragma once
 
 #include "operators.h"
+#include "setting.h"
 
+#include <array>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 
 namespace windrow {
 
-/// Wall-clock time of one step by stage. [ms]
+/// A figure of a report.
+template <class Struct, class Value>
+struct ReportRow {
+    const char* name;
+    Value Struct::*member;
+    const char* unit; ///< "m/s"; empty: a count, a ratio, a choice or a flag
+    const char* meaning;
+};
+template <class Struct, class Value>
+ReportRow(const char*, Value Struct::*, const char*, const char*) -> ReportRow<Struct, Value>;
+
+/// Wall-clock time of one step by stage.
 struct StageTimes {
-    double sources = 0.0; ///< Motors, NaN guard, speed limit.
-    double ambient = 0.0; ///< The ambient wind cell by cell; 0 without gusts.
+    double sources = 0.0;
+    double ambient = 0.0;
     double diffusion = 0.0;
-    double advection = 0.0; ///< Gathering the carried field included.
+    double advection = 0.0;
     double projection = 0.0;
-    double obstacles = 0.0; ///< Rasterisation, and all passes over faces and cells at obstacles. Further solves are projection.
-    double report = 0.0;    ///< Energy, largest speed, divergence.
+    double obstacles = 0.0;
+    double report = 0.0;
     double total = 0.0;
+
+    /// The stages in order; the last row is the whole step.
+    static constexpr auto rows() {
+        return std::array{
+            ReportRow{"sources", &StageTimes::sources, "ms", "Motors, NaN guard, speed limit."},
+            ReportRow{"ambient", &StageTimes::ambient, "ms", "The ambient wind cell by cell; 0 without gusts."},
+            ReportRow{"diffusion", &StageTimes::diffusion, "ms", "Viscosity, and the mixing over rough ground."},
+            ReportRow{"advection", &StageTimes::advection, "ms",
+                      "Transport of the velocity, gathering the carried field included."},
+            ReportRow{"projection", &StageTimes::projection, "ms",
+                      "Direct solves of the pressure, further ones around obstacles too."},
+            ReportRow{"obstacles", &StageTimes::obstacles, "ms",
+                      "Rasterisation, and all passes over faces and cells at obstacles."},
+            ReportRow{"report", &StageTimes::report, "ms", "Energy, largest speed, divergence."},
+            ReportRow{"total", &StageTimes::total, "ms", "The whole step, with what belongs to no stage: a moved box, for one."},
+        };
+    }
 };
 
 struct Diagnostics {
-    bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
-    /// The system has no memory that the step needs: the wind is unchanged. Free some and call again.
+    bool stepped = false;
     bool out_of_memory = false;
-    /// The box, with rows of its own, was at another height in the last step: air that stayed in it was interpolated. After
-    /// `advance`, in any of its ticks.
     bool regridded = false;
-    /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;
-    /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
     float cfl = 0.0f;
-    int substeps = 0;             ///< Number of sub-steps: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
-    bool substeps_capped = false; ///< More sub-steps were needed than allowed: speeds were limited.
-    /// [s] Time that the next steps make up for, on a device whose speeds rose further than its host could foresee; 0 on the CPU.
+    int substeps = 0;
+    bool substeps_capped = false;
     float carried_time = 0.0f;
-    /// Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
-    /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;
-    std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    /// Motors that acted in the box; a wake counts once per segment of its path. In free air also a volume source outside of the
-    /// box that makes 1 cm/s in it.
+    std::int64_t repaired_cells = 0;
     int motors_in_reach = 0;
+    int motors_lost = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
-    /// Around obstacles: what the pressure's solution leaves of the divergence at their surfaces, relative to that before it, and
-    /// the number of direct solves in the last sub-step. 0 without obstacles in the box.
     float pressure_residual = 0.0f;
     int pressure_solves = 0;
-    /// Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is taken out again,
-    /// evenly, from all air of that room: incompressible air cannot leave it.
     int sealed_sources = 0;
-    /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;
-    /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.
     double energy = 0.0;
-    /// The air had relaxed to the ambient wind and no motor acted: the step did nothing. The other figures, those of gusts too,
-    /// stay as in the step that fell asleep. Gusts go on.
     bool asleep = false;
     StageTimes times_ms;
+
+    static constexpr auto rows() {
+        return std::tuple{
+            ReportRow{"stepped", &Diagnostics::stepped, "",
+                      "The step ran. False: dt was 0, negative or not finite, or out_of_memory; nothing was done."},
+            ReportRow{"out_of_memory", &Diagnostics::out_of_memory, "",
+                      "The system has no memory that the step needs: the wind is unchanged. Free some and call again."},
+            ReportRow{"regridded", &Diagnostics::regridded, "",
+                      "The box, with rows of its own, was at another height in the last step: air that stayed in it was "
+                      "interpolated. After `advance`, in any of its ticks."},
+            ReportRow{"max_speed", &Diagnostics::max_speed, "m/s", "Largest component of the velocity after the step."},
+            ReportRow{"cfl", &Diagnostics::cfl, "",
+                      "Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would "
+                      "cross at once."},
+            ReportRow{"substeps", &Diagnostics::substeps, "", "Number of sub-steps: ceil(cfl / max_cfl), at most max_substeps."},
+            ReportRow{"substeps_capped", &Diagnostics::substeps_capped, "",
+                      "More sub-steps were needed than allowed: speeds were limited."},
+            ReportRow{
+                "carried_time", &Diagnostics::carried_time, "s",
+                "Time that the next steps make up for, on a device whose speeds rose further than its host could foresee; 0 "
+                "on the CPU."},
+            ReportRow{"limited_cells", &Diagnostics::limited_cells, "",
+                      "Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where "
+                      "forces and pressure had made them faster, after it."},
+            ReportRow{"repaired_cells", &Diagnostics::repaired_cells, "",
+                      "Cells that held NaN or infinity and were set to ambient."},
+            ReportRow{
+                "motors_in_reach", &Diagnostics::motors_in_reach, "",
+                "Motors that acted in the box; a wake counts once per segment of its path. In free air also a volume source "
+                "outside of the box that makes 1 cm/s in it."},
+            ReportRow{
+                "motors_lost", &Diagnostics::motors_lost, "",
+                "Motors that act on no air where they are: under the ground, or farther outside of the box than its size, on an "
+                "axis along which it does not follow. A mistake in most scenes."},
+            ReportRow{"diffusion", &Diagnostics::diffusion, "",
+                      "How viscosity acted: not at all, in one explicit pass, or by a direct solve."},
+            ReportRow{
+                "pressure_residual", &Diagnostics::pressure_residual, "",
+                "What the pressure's solution leaves of the divergence at the surfaces of obstacles, relative to that before "
+                "it. 0 without obstacles in the box."},
+            ReportRow{"pressure_solves", &Diagnostics::pressure_solves, "",
+                      "Direct solves of the pressure in the last sub-step. 0 without obstacles in the box."},
+            ReportRow{"sealed_sources", &Diagnostics::sealed_sources, "",
+                      "Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is "
+                      "taken out again, evenly, from all air of that room: incompressible air cannot leave it."},
+            ReportRow{"divergence_rms", &Diagnostics::divergence_rms, "1/s",
+                      "Root mean square of the central divergence that the collocated projection leaves."},
+            ReportRow{"energy", &Diagnostics::energy, "m^5/s^2",
+                      "Kinetic energy of the box per unit of density: sum of u^2 / 2 h^3."},
+            ReportRow{
+                "asleep", &Diagnostics::asleep, "",
+                "The air had relaxed to the ambient wind and no motor acted: the step did nothing. The other figures, those "
+                "of gusts too, stay as in the step that fell asleep. Gusts go on."},
+            ReportRow{"times_ms", &Diagnostics::times_ms, "ms", "Wall-clock time by stage."},
+        };
+    }
 };
+
+/// Calls visit(row, value) for each figure in order; the report may be const.
+template <class Report, class Visit>
+constexpr void for_each_row(Report& report, const Visit& visit) {
+    using Plain = std::remove_const_t<Report>;
+    static_assert(detail::member_count<Plain>() == std::tuple_size_v<decltype(Plain::rows())>, "a member has no row");
+    std::apply([&](const auto&... row) { (visit(row, report.*row.member), ...); }, Plain::rows());
+}
 
 } // namespace windrow

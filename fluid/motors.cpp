@@ -199,8 +199,10 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
         if (!slot.used)
             continue;
         const auto path = slot.track.tick(duration);
-        count += static_cast<std::size_t>(detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, boundaries,
-                                                          std::span(reach_).subspan(count)));
+        const auto reaching = static_cast<std::size_t>(detail::prepare(slot.motor, slot.track, path, slot.age, duration, window,
+                                                                       boundaries, std::span(reach_).subspan(count)));
+        slot.reaches = reaching > 0;
+        count += reaching;
         slot.age += duration;
         if (slot.age >= end_of(slot.motor))
             release(index);
@@ -208,6 +210,20 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
     const std::span<detail::MotorReach> reached = std::span(reach_).first(count);
     std::sort(reached.begin(), reached.end(), detail::before);
     return reached;
+}
+
+int Motors::lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const {
+    const glm::dvec3 low = window.origin(), size = window.size();
+    return static_cast<int>(std::count_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+        if (!slot.used || slot.reaches)
+            return false;
+        const glm::dvec3 from_low = position_of(slot.motor) - low;
+        bool lost = boundaries.y_low.solid() && from_low.y < 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            lost = lost || (!follows[axis] && !boundaries.periodic(axis) &&
+                            std::abs(from_low[axis] - 0.5 * size[axis]) > 1.5 * size[axis]);
+        return lost;
+    }));
 }
 
 std::size_t Motors::memory_bytes() const {

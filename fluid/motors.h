@@ -63,6 +63,7 @@ class WINDROW_API Motors {
         std::uint32_t generation = 0;
         bool used = false;
         bool named_here = false; ///< false: restored from a snapshot, its handle is that of the wind that was saved
+        bool reaches = false;    ///< some air of the box, in the last tick
     };
 
     // --- Called by Wind -----------------------------------------------------------------------------------------------
@@ -74,6 +75,9 @@ class WINDROW_API Motors {
     /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Boundaries& boundaries);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    /// Motors that reached no air in the last tick and never will where they are: under the ground, or farther outside of the box
+    /// than its size, on an axis along which it does not follow.
+    [[nodiscard]] int lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const;
     /// Some motor is a volume source, whether or not it reaches the box.
     [[nodiscard]] bool has_volume_source() const;
     /// Tile of the motors' eddies: the wind's own, else the standard one. May be null where no motor has eddies.

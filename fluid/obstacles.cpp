@@ -344,6 +344,21 @@ std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const W
     return placed_;
 }
 
+std::vector<PlacedObstacle> Obstacles::standing_in(const Window& window, const Boundaries& boundaries) const {
+    std::vector<PlacedObstacle> standing;
+    for (std::uint32_t index = 0; index < slots_.size(); ++index) {
+        if (!slots_[index].used)
+            continue;
+        const BodyPose here = pose_of(slots_[index]);
+        PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window, boundaries);
+        name(now, index);
+        if (meets(now, window, boundaries))
+            standing.push_back(now);
+    }
+    std::sort(standing.begin(), standing.end(), detail::precedes);
+    return standing;
+}
+
 std::size_t Obstacles::memory_bytes() const {
     return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) + motions_.capacity() * sizeof(Motion) +
            grid_.memory_bytes() + (resting_.capacity() + moving_.capacity() + placed_.capacity()) * sizeof(PlacedObstacle);

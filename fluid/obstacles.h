@@ -90,6 +90,11 @@ class WINDROW_API Obstacles {
     /// What the last tick returned, and whether that may differ from what was asked for last: air that sleeps does not ask.
     [[nodiscard]] std::span<const detail::PlacedObstacle> in_reach() const { return placed_; }
     [[nodiscard]] bool changed() const { return changed_; }
+    /// Of the box in which the next tick is: of a list that came from another wind.
+    void set_rows(const RowTable* rows) { window_.rows = rows; }
+    /// Those that meet a box, where they are now, in the order of `tick`; moves since the last tick have not begun. Throws
+    /// std::bad_alloc.
+    [[nodiscard]] std::vector<detail::PlacedObstacle> standing_in(const Window& window, const Boundaries& boundaries) const;
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Number of obstacles that the last tick looked at.
     [[nodiscard]] std::size_t visited() const { return visited_; }

@@ -1,8 +1,9 @@
-// The operators of a step (advection, diffusion, projection, sources) on the caller's own fields.
+// The operators of a step (advection, diffusion, projection) on the caller's own fields.
 //
-// `Wind::step` calls these and nothing else for the air, so an analyst tests the code that runs. Others reuse it: a scalar
-// for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as in box.h. A velocity is
-// a glm::vec4 per cell, xyz in m/s and w = 0 (one aligned load reads a whole cell).
+// `Wind::step` advects and diffuses by these functions, and projects by the solver of `project`, beginning from the pressure of
+// its last step. Motors, the speed limit, plants, rough ground and relaxation are its own. Others reuse them: a scalar for smoke
+// or seeds carried by the same wind, a projection of their own field. Fields are laid out as in box.h. A velocity is a glm::vec4
+// per cell, xyz in m/s and w = 0 (one aligned load reads a whole cell).
 //
 //     auto work = windrow::Workspace::create({.box = {.cells = {64, 64, 1}, .cell_size = 0.1f}});
 //     windrow::project(*work, velocity);

@@ -22,7 +22,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 5").with<Config>().with<Motor>().with<Obstacle>().version(),
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 6").with<Config>().with<Motor>().with<Obstacle>().version(),
                                   "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -47,8 +47,8 @@ namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
     auto& [stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells,
-           repaired_cells, motors_in_reach, diffusion, pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy,
-           asleep, times_ms] = report;
+           repaired_cells, motors_in_reach, motors_lost, diffusion, pressure_residual, pressure_solves, sealed_sources,
+           divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
             pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep);
 }
@@ -117,7 +117,7 @@ struct StateFields {
     static constexpr std::size_t k_min_slot_bytes = 5;
 
     static void slot(auto& archive, Like<Motors::Slot> auto& slot) {
-        auto& [motor, track, age, generation, used, named_here] = slot; // read: named by the wind that was saved
+        auto& [motor, track, age, generation, used, named_here, reaches] = slot; // read: named by the wind that was saved
         archive(used, generation);
         if (!used)
             return;
@@ -228,15 +228,37 @@ struct StateFields {
         }
     }
 
+    /// The last ticks, from which the sub-steps of the next ones follow; they are the first ticks of the wind that is loaded.
+    static void speed(auto& archive, Like<SpeedBound> auto& bound) {
+        auto& [waiting, ticks, last, ambient, gusts, source_flow] = bound;
+        auto count = std::min(last, SpeedBound::k_delay);
+        const bool known = last <= SpeedBound::k_delay;
+        archive(count, ambient, source_flow, waiting.expected.added, waiting.expected.least);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(count <= SpeedBound::k_delay, "it has more speeds than fit.");
+            last = std::min(count, SpeedBound::k_delay);
+            for (std::uint64_t tick = 1; tick <= last; ++tick)
+                archive(ticks[tick].rises.expected.added, ticks[tick].rises.expected.least, ticks[tick].measured);
+        } else {
+            for (std::uint64_t tick = last - count + 1; tick <= last; ++tick) {
+                // The first of them stands for all before it.
+                const float measured = tick == last - count + 1 && !known ? bound.expected_after(tick) : bound.at(tick).measured;
+                archive(bound.at(tick).rises.expected.added, bound.at(tick).rises.expected.least, measured);
+            }
+        }
+    }
+
     /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
     static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
-        auto& [config, rows, place, ambient, motors, obstacles, source_name, sleep, frames, log, storage] = core;
+        auto& [config, rows, place, ambient, motors, obstacles, source_name, sleep, speed, frames, last, log, box, storage] =
+            core;
         auto& [window, point, stepped, previous, follow_axes] = place;
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, point, stepped.point, previous.point, stepped.origin_cells, previous.origin_cells,
                 source_name);
         StateFields::sleep(archive, sleep);
+        StateFields::speed(archive, speed);
         StateFields::ambient(archive, ambient, config, tiles);
         if constexpr (Reading<decltype(archive)>) {
             const Gusts& gusts = ambient.settings().gusts;

@@ -7,16 +7,6 @@
 #include <utility>
 
 namespace windrow {
-namespace {
-
-Result<void> check_room(const char* call, std::size_t values, const Box& box) {
-    if (values == box.cell_count())
-        return {};
-    return Error{detail::message(call, " got room for ", values, " cells, but the box has ", box.cell_count(),
-                                 ": give one array of box().cell_count().")};
-}
-
-} // namespace
 
 Result<void> validate(const Config& config) {
     return detail::validate_settings(config);
@@ -37,7 +27,7 @@ Wind::State::State(const Config& config, Workspace workspace, const AmbientWind&
     core.start();
 }
 
-Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Wind::Wind(std::unique_ptr<State> state) : WindControl(state->core), state_(std::move(state)) {}
 Wind::Wind(Wind&&) noexcept = default;
 Wind& Wind::operator=(Wind&&) noexcept = default;
 Wind::~Wind() = default;
@@ -57,47 +47,10 @@ Result<Wind> Wind::create(const Config& config) {
     });
 }
 
-Motors& Wind::motors() {
-    return state_->core.motors;
-}
-const Motors& Wind::motors() const {
-    return state_->core.motors;
-}
-Obstacles& Wind::obstacles() {
-    return state_->core.obstacles;
-}
-const Obstacles& Wind::obstacles() const {
-    return state_->core.obstacles;
-}
 Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
     if (auto known = state_->core.obstacles.check(id); !known)
         return Error{known.error()};
     return state_->cells.loads.force_on(id.slot, id.generation);
-}
-Result<void> Wind::set_ambient(glm::vec3 ambient) {
-    return state_->core.set_ambient(ambient);
-}
-Result<void> Wind::set_gusts(const Gusts& gusts) {
-    return state_->core.set_gusts(gusts);
-}
-glm::vec3 Wind::ambient() const {
-    return state_->core.mean_wind();
-}
-Result<void> Wind::set_boundaries(const Boundaries& boundaries) {
-    return state_->core.set_boundaries(boundaries);
-}
-Result<void> Wind::follow(glm::dvec3 point) {
-    return state_->core.follow(point);
-}
-Result<void> Wind::set_floor(double height) {
-    return state_->core.set_floor(height);
-}
-
-glm::dvec3 Wind::origin() const {
-    return state_->core.window().origin();
-}
-const Box& Wind::box() const {
-    return state_->cells.box();
 }
 
 WindView Wind::view() const {
@@ -119,26 +72,18 @@ FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const 
 }
 
 Result<void> Wind::write_obstacles(std::span<float> cells) const {
-    if (auto fits = check_room("write_obstacles", cells.size(), box()); !fits)
-        return fits;
     const WindCore& core = state_->core;
-    if (!core.sleep.asleep() || !core.obstacles.changed()) {
-        state_->cells.write_obstacles(cells);
-        return {};
-    }
-    // Bodies that have come into reach of air that sleeps are placed when it wakes.
-    return detail::where_memory_lasts([&]() -> Result<void> {
-        cpu::Solids found(box(), box().cells.x);
-        found.place(core.obstacles.in_reach());
-        std::fill(cells.begin(), cells.end(), 0.0f);
-        for (const cpu::Solids::InsideCell& cell : found.inside())
-            cells[cell.cell] = 1.0f;
-        return {};
-    });
+    // Bodies that have come into reach of air that sleeps, or of a wind that has not stepped yet, are placed with its next step.
+    if (!state_->cells.has_obstacles() || (core.sleep.asleep() && core.obstacles.changed()))
+        return core.write_obstacles(cells);
+    if (auto fits = detail::check_room("write_obstacles", cells.size(), box()); !fits)
+        return fits;
+    state_->cells.write_obstacles(cells);
+    return {};
 }
 
 Result<void> Wind::write_pressure(std::span<float> cells) {
-    if (auto fits = check_room("write_pressure", cells.size(), box()); !fits)
+    if (auto fits = detail::check_room("write_pressure", cells.size(), box()); !fits)
         return fits;
     return detail::where_memory_lasts([&]() -> Result<void> {
         state_->cells.write_pressure(cells);
@@ -152,35 +97,14 @@ std::span<const glm::vec4> Wind::field() const {
 }
 
 void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
-    state_->cells.hold_air(); // the gusts of now
-    auto& velocity = state_->cells.air.velocity;
-    const Box& box = this->box();
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i)
-                velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->core.window().centre(i, j, k)), 0.0f);
-    (void)state_->core.set_velocity(velocity); // cells are set in place, which needs no memory
+    (void)WindControl::set_velocity(velocity_at); // the cells are set in place
 }
 
-Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
-    return state_->core.set_velocity(field);
+Diagnostics Wind::diagnostics() const {
+    return state_->core.last;
 }
 
-void Wind::reset() {
-    state_->core.reset();
-    if (state_->core.frames)
-        state_->cells.show_air();
-}
-
-void Wind::record_to(EventLog* log) {
-    state_->core.record_to(log);
-}
-
-const Config& Wind::config() const {
-    return state_->core.config;
-}
-
-std::size_t Wind::memory_bytes() const {
+std::uint64_t Wind::memory_bytes() const {
     const WindCore& core = state_->core;
     const bool own_tile = core.ambient.tile() && !core.config.gusts.tile;
     return sizeof(State) + state_->cells.memory_bytes() + core.motors.memory_bytes() + core.obstacles.memory_bytes() +

@@ -170,7 +170,7 @@ void WindCore::shift_to(CellIndex origin_cells) {
     move.by = shift;
     move.exposed_hold_ambient = !gusts_move;
     move.has_source_flow = source_name != 0;
-    cells_.apply(move);
+    apply(move);
     if (gusts_move)
         add_ambient(1.0f);
 }
@@ -179,25 +179,28 @@ void WindCore::shift_to(CellIndex origin_cells) {
 
 Diagnostics WindCore::step_air(double duration) {
     const auto start = std::chrono::steady_clock::now();
-    Diagnostics report;
-    run_step(duration, report);
-    report.times_ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return report;
+    last = {.times_ms = {}};
+    run_step(duration, last);
+    last.times_ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return last;
 }
 
 void WindCore::run_step(double duration, Diagnostics& report) {
     std::span<const detail::MotorReach> reached;
-    if (config.stages.sources)
+    if (config.stages.sources) {
         reached = motors.tick(duration, place.window, config.boundaries);
+        report.motors_lost = motors.lost(place.window, config.boundaries, place.follow_axes);
+    }
     const std::span<const detail::PlacedObstacle> bodies = obstacles.tick(duration, place.window, config.boundaries);
     const bool stirred = obstacles.take_stirred(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
     report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
     if (sleep.asleep() && reached.empty() && !stirred && !wind_meets_bodies) {
         drift(duration);
-        const bool regridded = report.regridded;
+        const Diagnostics now = report;
         report = sleep.at_rest;
-        report.regridded = regridded;
+        report.regridded = now.regridded;
+        report.motors_lost = now.motors_lost;
         return;
     }
     sleep.wake();
@@ -212,22 +215,30 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                        .viscous = viscous() || changes_ambient(),
                                        .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f),
                                        .bodies_act = stirred || wind_meets_bodies};
-    const bool rests = cells_.step({.duration = duration,
-                                    .motors = reached,
-                                    .obstacles = bodies,
-                                    .obstacles_changed = obstacles.take_changed(),
-                                    .obstacles_stirred = stirred,
-                                    .tile = motors.tile(ambient.tile()),
-                                    .ambient = &ambient,
-                                    .window = &place.window,
-                                    .canopy = canopy,
-                                    .renews_sources = renews_sources,
-                                    .has_source_flow = source_name != 0,
-                                    .kept = frames.has_value(),
-                                    .may_rest = Sleep::may_begin(conditions)},
-                                   report);
-    if (rests)
-        sleep.fall_asleep(report);
+    CellStep step{.duration = duration,
+                  .motors = reached,
+                  .obstacles = bodies,
+                  .obstacles_changed = obstacles.take_changed(),
+                  .obstacles_stirred = stirred,
+                  .tile = motors.tile(ambient.tile()),
+                  .ambient = &ambient,
+                  .window = &place.window,
+                  .canopy = canopy,
+                  .renews_sources = renews_sources,
+                  .has_source_flow = source_name != 0,
+                  .kept = frames.has_value(),
+                  .may_rest = Sleep::may_begin(conditions)};
+    speed.note(cells_.measured());
+    speed.note(step, box());
+    step.tick = speed.tick();
+    if (std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); }))
+        step.substeps = speed.substeps(config, duration);
+    const bool rests = cells_.step(step, report);
+    speed.note(cells_.measured());
+    if (!rests)
+        return;
+    speed.note(change(CellChange::Kind::fill));
+    sleep.fall_asleep(report);
 }
 
 // Gusts also pass over sleeping air.
@@ -290,7 +301,7 @@ CellChange WindCore::change(CellChange::Kind kind) const {
 void WindCore::add_ambient(float factor) {
     CellChange wind = change(CellChange::Kind::add_wind);
     wind.factor = factor;
-    cells_.apply(wind);
+    apply(wind);
 }
 
 void WindCore::fill_with_ambient() {

@@ -1,6 +1,7 @@
 // Operations of a wind other than time: changes of the wind around the box, its boundary conditions, place and cells.
 #include "fluid/wind_core.h"
 
+#include "fluid/cpu/solids.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -68,7 +69,8 @@ Box box_of(const Config& config) {
 } // namespace detail
 
 WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells)
-    : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()), ambient(wind_around), cells_(cells) {}
+    : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()),
+      ambient(wind_around), box_{config.cells, config.cell_size, config.boundaries, rows}, cells_(cells) {}
 
 void WindCore::start() {
     renew_ambient();
@@ -91,7 +93,7 @@ void WindCore::change_ambient(glm::vec3 wind) {
     CellChange mean = change(CellChange::Kind::add_change);
     mean.change = mean_wind() - before;
     mean.to_air = !sleep.calm();
-    cells_.apply(mean);
+    apply(mean);
     if (sleep.calm()) // still ambient, and to the bit
         fill_with_ambient();
 }
@@ -115,6 +117,8 @@ Result<void> WindCore::set_gusts(const Gusts& gusts) {
     auto renewed = AmbientWind::create({.mean = mean_wind(), .profile = config.profile, .gusts = wanted});
     if (!renewed)
         return Error{renewed.error()};
+    if (auto held = cells_.check(gusts); !held)
+        return held;
     if (!has_room({.gusts = &gusts}))
         return detail::out_of_memory();
     renewed->set_phase(ambient.phase());
@@ -141,7 +145,11 @@ Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
             same_kinds = same_kinds && boundaries.at(axis, end).kind == config.boundaries.at(axis, end).kind;
     if (auto changed = cells_.set_boundaries(boundaries, !same_kinds); !changed)
         return changed;
-    config.boundaries = boundaries;
+    if (boundaries.y_low.solid() && !config.boundaries.y_low.solid())
+        config.floor = window().origin().y; // the box stays where it is
+    config.boundaries = box_.boundaries = boundaries;
+    if (!same_kinds)
+        speed.note_unknown();
     if (!same_kinds && source_name != 0)
         source_name = 2; // matches no set of sources: their flow is recomputed
     place.follow_axes = detail::axes_that_follow(config, boundaries);
@@ -173,11 +181,28 @@ Result<void> WindCore::set_floor(double height) {
     if (!has_room({.gusts = &config.gusts}))
         return detail::out_of_memory();
     CellIndex origin = place.window.origin_cells;
-    origin.y = static_cast<std::int64_t>(std::floor(height / place.window.units().y + 0.5));
+    origin.y = detail::floor_row(place.window, height);
     shift_to(origin);
     place.point.y = height + 0.5 * place.window.size().y;
+    config.floor = height;
     note(FloorSet{height});
     return {};
+}
+
+Result<void> WindCore::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
+    std::vector<glm::vec4> own;
+    std::span<glm::vec4> cells = cells_.in_place();
+    if (cells.empty()) {
+        if (!detail::memory_lasts([&] { own.resize(box().cell_count()); }))
+            return detail::out_of_memory();
+        cells = own;
+    }
+    const glm::ivec3 count = box().cells;
+    for (int k = 0; k < count.z; ++k)
+        for (int j = 0; j < count.y; ++j)
+            for (int i = 0; i < count.x; ++i)
+                cells[box().index(i, j, k)] = glm::vec4(velocity_at(window().centre(i, j, k)), 0.0f);
+    return set_velocity(cells);
 }
 
 Result<void> WindCore::set_velocity(std::span<const glm::vec4> field) {
@@ -188,7 +213,7 @@ Result<void> WindCore::set_velocity(std::span<const glm::vec4> field) {
         return detail::out_of_memory();
     CellChange set = change(CellChange::Kind::set);
     set.cells = field;
-    cells_.apply(set);
+    apply(set);
     sleep.wake();
     if (frames)
         frames->before_still = false;
@@ -201,6 +226,7 @@ void WindCore::reset() {
     fill_with_ambient();
     if (frames)
         apply(CellChange::Kind::fill_before);
+    cells_.show_air();
     note(WindReset{});
 }
 
@@ -211,6 +237,33 @@ void WindCore::record_to(EventLog* to) {
 }
 
 // --- Reading -----------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+Result<void> check_room(const char* call, std::size_t values, const Box& box) {
+    if (values == box.cell_count())
+        return {};
+    return Error{message(call, " got room for ", values, " cells, but the box has ", box.cell_count(),
+                         ": give one array of box().cell_count().")};
+}
+
+} // namespace detail
+
+Result<void> WindCore::write_obstacles(std::span<float> cells) const {
+    if (auto fits = detail::check_room("write_obstacles", cells.size(), box()); !fits)
+        return fits;
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        std::fill(cells.begin(), cells.end(), 0.0f);
+        const auto standing = obstacles.standing_in(window(), config.boundaries);
+        if (standing.empty())
+            return {};
+        cpu::Solids found(box(), box().cells.x);
+        found.place(standing);
+        for (const cpu::Solids::InsideCell& cell : found.inside())
+            cells[cell.cell] = 1.0f;
+        return {};
+    });
+}
 
 BlendZone WindCore::blend_zone(glm::dvec3 point) const {
     return place.blend_zone(point, config.blend_width,

@@ -10,6 +10,7 @@
 #include "fluid/frame_history.h"
 #include "fluid/message.h"
 #include "fluid/sleep.h"
+#include "fluid/speed_bound.h"
 #include "fluid/wind.h"
 #include "fluid/window_history.h"
 
@@ -34,11 +35,13 @@ class WINDROW_INTERNAL WindCore {
     Obstacles obstacles;
     std::uint64_t source_name = 0; ///< of the set of volume sources whose flow is in the velocity; 0: none
     Sleep sleep;
+    SpeedBound speed;
     std::optional<FrameHistory> frames; ///< with `advance`
+    Diagnostics last{.times_ms = {}};   ///< of the last step or tick
     EventLog* log = nullptr;
 
     [[nodiscard]] const Window& window() const { return place.window; }
-    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.boundaries, rows}; }
+    [[nodiscard]] const Box& box() const { return box_; }
     /// [m/s] Mean wind that the open boundaries carry.
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.boundaries, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
@@ -63,7 +66,10 @@ class WINDROW_INTERNAL WindCore {
     Result<void> set_boundaries(const Boundaries& boundaries);
     Result<void> follow(glm::dvec3 point);
     Result<void> set_floor(double height);
+    Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at);
     Result<void> set_velocity(std::span<const glm::vec4> field);
+    /// By their places now.
+    Result<void> write_obstacles(std::span<float> cells) const;
     void reset();
     void record_to(EventLog* to);
 
@@ -88,7 +94,11 @@ class WINDROW_INTERNAL WindCore {
 
     // --- Changes of the cells ------------------------------------------------------------------------------------------------
     [[nodiscard]] CellChange change(CellChange::Kind kind) const;
-    void apply(CellChange::Kind kind) { cells_.apply(change(kind)); }
+    void apply(const CellChange& change) {
+        speed.note(change);
+        cells_.apply(change);
+    }
+    void apply(CellChange::Kind kind) { apply(change(kind)); }
     void add_ambient(float factor);
     void fill_with_ambient();
     /// Before and after a change of the wind around the box, by which all air of the box changes too.
@@ -101,6 +111,7 @@ class WINDROW_INTERNAL WindCore {
             log->note(event);
     }
 
+    Box box_;
     CellStorage& cells_;
 };
 
@@ -111,6 +122,7 @@ void check_ambient(Reasons& reasons, glm::vec3 ambient);
 /// `rows`: the box has rows of its own.
 void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries, bool rows);
 void check_rows(Reasons& reasons, const Config& config);
+[[nodiscard]] WINDROW_INTERNAL Result<void> check_room(const char* call, std::size_t values, const Box& box);
 } // namespace detail
 
 } // namespace windrow

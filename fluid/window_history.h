@@ -22,6 +22,10 @@ namespace detail {
     return config.follow_axes.value_or(
         glm::bvec3(can_follow(boundaries, 0), can_follow(boundaries, 1) && !config.rows, can_follow(boundaries, 2)));
 }
+/// Origin, in rows, of a box whose low y face is at a height [m], to whole rows.
+[[nodiscard]] inline std::int64_t floor_row(const Window& window, double height) {
+    return static_cast<std::int64_t>(std::floor(height / window.units().y + 0.5));
+}
 /// The box of a valid config.
 [[nodiscard]] WINDROW_INTERNAL Box box_of(const Config& config);
 } // namespace detail
@@ -37,7 +41,11 @@ struct WindowHistory {
     explicit WindowHistory(const Config& config, const RowTable* rows = nullptr)
         : window{config.cells, config.cell_size, {}, rows}, point(config.centre),
           follow_axes(detail::axes_that_follow(config, config.boundaries)) {
+        if (config.boundaries.y_low.solid()) // it stands on the floor, whatever the centre's height
+            point.y = config.floor + 0.5 * window.size().y;
         window.origin_cells = window.centred_on(point);
+        if (config.boundaries.y_low.solid())
+            window.origin_cells.y = detail::floor_row(window, config.floor);
         previous = stepped = {point, window.origin_cells};
     }
 

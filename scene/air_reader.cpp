@@ -25,6 +25,8 @@ ReadAir read_air(JsonObject air, const std::filesystem::path& folder) {
             read.has_centre = centre.has_value();
             member = centre.value_or(member);
             return true;
+        } else if constexpr (std::same_as<std::remove_cvref_t<decltype(member)>, double>) {
+            return true; // $.floor: a height, or a path
         } else if constexpr (requires { read_optional(air, Key{""}, member, files); }) {
             read_optional(air, {row.name, row.meaning}, member, files);
             return true;

@@ -4,6 +4,7 @@
 #include "fluid/motors.h"
 #include "fluid/obstacles.h"
 #include "fluid/wind.h"
+#include "scene/carried.h"
 #include "scene/frame_times.h"
 #include "scene/motion_path.h"
 
@@ -191,9 +192,13 @@ struct Scene {
     std::variant<double, std::size_t> floor = 0.0;
     std::vector<SceneMotor> motors;
     std::vector<SceneObstacle> obstacles;
+    /// What the picture moves and what carries the air along (picture_air.h).
+    std::vector<Carried> carried;
     std::vector<SceneSmoke> smoke;
     PicturesSetting pictures;
     VdbSetting vdb;
+    /// What the reader could not use and what the air lacks therefore, a sentence each.
+    std::vector<std::string> warnings;
 
     [[nodiscard]] bool has_floor() const { return air.boundaries.y_low.solid(); }
     /// [m] What the box follows at a time; the centre where it follows nothing.

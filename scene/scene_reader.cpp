@@ -3,6 +3,7 @@
 #include "fluid/message.h"
 #include "scene/json_document.h"
 #include "scene/nearest_word.h"
+#include "scene/picture_air.h"
 #include "scene/scene_parts.h"
 #include "scene/setting_reader.h"
 #include "scene/text_file.h"
@@ -149,21 +150,36 @@ void read_outputs(JsonObject& object, Scene& scene) {
     vdb.finish();
 }
 
+Result<Scene> read_whole(std::string_view text, const std::filesystem::path& file, detail::InputBudget& budget,
+                         std::vector<KnownKey>* known, const FileReaders& readers) {
+    const auto document = parse_json(text, file.string());
+    if (!document)
+        return Error{document.error()};
+    auto scene = read_scene_json(*document, file, budget, known, readers.heights);
+    if (!scene || !document->contains("picture"))
+        return scene;
+    std::vector<std::string> names;
+    for (const ScenePath& path : scene->paths)
+        names.push_back(path.name);
+    ReadLog log(file.string(), budget);
+    const PictureAir picture =
+        read_picture_air(JsonObject((*document)["picture"], "$.picture", "$.picture", log), names, file.parent_path());
+    if (log.faults() == 0)
+        add_picture_air(*scene, picture, log, readers.meshes);
+    return log.faults() == 0 ? std::move(scene) : log.error();
+}
+
 } // namespace
 
-Result<Scene> read_scene(const std::filesystem::path& file, HeightPictureReader heights) {
+Result<Scene> read_scene(const std::filesystem::path& file, const FileReaders& readers) {
     detail::InputBudget budget;
     const auto text = read_text_file(file, {.max_bytes = k_max_scene_bytes}, budget);
-    if (!text)
-        return Error{text.error()};
-    const auto document = parse_json(*text, file.string());
-    return document ? read_scene_json(*document, file, budget, nullptr, heights) : Error{document.error()};
+    return text ? read_whole(*text, file, budget, nullptr, readers) : Error{text.error()};
 }
 
 Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file, std::vector<KnownKey>* known) {
     detail::InputBudget budget;
-    const auto document = parse_json(text, file.string());
-    return document ? read_scene_json(*document, file, budget, known) : Error{document.error()};
+    return read_whole(text, file, budget, known, {});
 }
 
 Result<Scene> read_scene_json(const json& document, const std::filesystem::path& file, detail::InputBudget& budget,
@@ -191,9 +207,10 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     scene.obstacles = read_obstacles(object, names, file.parent_path());
     scene.smoke = read_smoke(object, names);
     read_outputs(object, scene);
-    // Other data of a renderer (read by windrow-draw); the air does not use it.
+    // What it does to the air is read by itself (picture_air.h).
     (void)object.object(
-        {"picture", "What a renderer adds: plants, light, a camera. A run without pictures of plants does without."});
+        {"picture",
+         "What a renderer adds: plants, light, a camera. Of it a run takes what changes the air: walkers, bodies and hills."});
     object.finish();
 
     if (log.faults() > 0)
@@ -203,6 +220,8 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
         scene.air.follow_axes = glm::bvec3(false);
     if (!read.has_centre)
         scene.air.centre = scene.followed_point(0.0);
+    if (scene.has_floor())
+        scene.air.floor = scene.floor_height(0.0);
     return scene;
 }
 

@@ -69,6 +69,13 @@ inline Diagnostics take_steps(Wind& wind, int count, double dt) {
     return last;
 }
 
+/// [ms] Of all stages, without the whole.
+inline double sum_of_stages(const StageTimes& times) {
+    double sum = -times.total; // whose row is the last
+    for_each_row(times, [&](const auto&, double stage) { sum += stage; });
+    return sum;
+}
+
 /// The weight of a region at a distance whose square, over the region's own, is `squared` (motor.h).
 inline double biweight(double squared) {
     return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0;

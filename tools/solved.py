@@ -34,7 +34,7 @@ def leads(path):
 
 
 def wakes_of_bodies(scene):
-    """Names of what the picture moves along a path that no wake and no obstacle of the scene is on (vegetation/program/body_wakes.h)."""
+    """Names of what the picture moves along a path that no wake and no obstacle of the scene is on (scene/picture_air.h)."""
     picture, paths = scene.get("picture", {}), scene.get("paths", {})
     taken = {motor.get("path") for motor in scene.get("motors", []) if motor.get("kind") == "wake"}
     taken |= {obstacle.get("path") for obstacle in scene.get("obstacles", [])}

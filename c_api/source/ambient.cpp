@@ -50,7 +50,12 @@ WINDROW_EXPORT windrow_result windrow_ambient_wind_create(const windrow_ambient_
 WINDROW_EXPORT windrow_result windrow_ambient_wind_of(const windrow_wind* wind, int32_t frame, windrow_ambient_wind** ambient) {
     if (ambient != nullptr)
         *ambient = nullptr;
-    return call({{wind, "wind"}}, [&] { return create(ambient, [&] { return wind->ambient_wind(frame); }); });
+    return call({{wind, "wind"}}, [&] {
+        return create(ambient, [&]() -> Result<AmbientWind> {
+            const auto before = wind->reader->previous_view();
+            return frame == WINDROW_FRAME_PREVIOUS && before ? before->ambient() : wind->reader->ambient_wind();
+        });
+    });
 }
 WINDROW_EXPORT void windrow_ambient_wind_destroy(windrow_ambient_wind* ambient) {
     delete ambient;

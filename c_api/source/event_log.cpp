@@ -41,9 +41,9 @@ WINDROW_EXPORT windrow_result windrow_event_log_from_bytes(const void* bytes, ui
 }
 WINDROW_EXPORT windrow_result windrow_event_log_replay(const windrow_event_log* log, windrow_wind* wind) {
     return call({{log, "log"}, {wind, "wind"}}, [&]() -> windrow_result {
-        if (wind->cpu() == nullptr)
+        if (wind->cpu == nullptr)
             return fail(WINDROW_UNSUPPORTED,
                         "windrow_event_log_replay is for winds on the CPU: call windrow_vulkan_wind_replay.");
-        return done(replay(log->log, *wind->cpu()));
+        return done(replay(log->log, *wind->cpu));
     });
 }

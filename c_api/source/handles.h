@@ -10,6 +10,7 @@
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
 
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -43,39 +44,14 @@ struct windrow_event_log {
 
 /// A wind on either backend. Calls that only one has fail on the other.
 struct windrow_wind {
-    windrow_wind() = default;
     windrow_wind(const windrow_wind&) = delete;
     windrow_wind& operator=(const windrow_wind&) = delete;
     virtual ~windrow_wind() = default;
 
-    virtual windrow::Motors& motors() = 0;
-    virtual const windrow::Motors& motors() const = 0;
-    virtual windrow::Obstacles& obstacles() = 0;
-    virtual const windrow::Obstacles& obstacles() const = 0;
-    virtual windrow::Result<windrow::ObstacleForce> force_on(windrow::ObstacleId id) const = 0;
-    virtual windrow::Result<void> set_ambient(glm::vec3 ambient) = 0;
-    virtual glm::vec3 ambient() const = 0;
-    virtual windrow::Result<void> set_gusts(const windrow::Gusts& gusts) = 0;
-    virtual windrow::Result<void> set_boundaries(const windrow::Boundaries& boundaries) = 0;
-    virtual windrow::Result<void> follow(glm::dvec3 point) = 0;
-    virtual windrow::Result<void> set_floor(double height) = 0;
-    virtual glm::dvec3 origin() const = 0;
-    virtual windrow::Box box() const = 0;
-    virtual const windrow::Config& config() const = 0;
-    virtual windrow::Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) = 0;
-    virtual windrow::Result<void> set_velocity(std::span<const glm::vec4> field) = 0;
-    virtual void reset() = 0;
-    virtual void record_to(windrow::EventLog* log) = 0;
-    virtual windrow::WindowBlock window_block(glm::dvec3 anchor) const = 0;
-    virtual windrow::FrameBlock frame_block(glm::dvec3 anchor, const windrow::Sampling& sampling) const = 0;
-    virtual std::uint64_t memory_bytes() const = 0;
-    virtual glm::vec3 velocity(glm::dvec3 position) const = 0;
-    /// Of WINDROW_FRAME_NOW or WINDROW_FRAME_PREVIOUS; `why` is the class where there is none.
-    virtual windrow::Result<windrow::WindView> view(windrow_frame frame, windrow_result& why) const = 0;
-    virtual windrow::Result<windrow::AmbientWind> ambient_wind(windrow_frame frame) const = 0;
-    /// On the CPU; null on a device.
-    virtual windrow::Wind* cpu() { return nullptr; }
-    virtual const windrow::Wind* cpu() const { return nullptr; }
+    windrow::WindControl* control = nullptr;
+    windrow::WindReader* reader = nullptr;
+    windrow::Wind* cpu = nullptr; ///< null: on a device
+    int motors_lost = 0;          ///< of which the host was warned
 
     /// What the pointers of windrow_wind_config point to.
     struct ConfigStore {
@@ -86,39 +62,21 @@ struct windrow_wind {
         windrow_rows rows;
     };
     std::unique_ptr<ConfigStore> config_store;
+
+  protected:
+    windrow_wind() = default;
 };
 
 namespace windrow::c_api {
 
-/// The calls that both backends have.
 template <class Air>
-class WindOf : public windrow_wind {
-  public:
-    explicit WindOf(Air its_air) : air(std::move(its_air)) {}
-
-    Motors& motors() override { return air.motors(); }
-    const Motors& motors() const override { return air.motors(); }
-    Obstacles& obstacles() override { return air.obstacles(); }
-    const Obstacles& obstacles() const override { return air.obstacles(); }
-    Result<ObstacleForce> force_on(ObstacleId id) const override { return air.force_on(id); }
-    Result<void> set_ambient(glm::vec3 ambient) override { return air.set_ambient(ambient); }
-    glm::vec3 ambient() const override { return air.ambient(); }
-    Result<void> set_gusts(const Gusts& gusts) override { return air.set_gusts(gusts); }
-    Result<void> set_boundaries(const Boundaries& boundaries) override { return air.set_boundaries(boundaries); }
-    Result<void> follow(glm::dvec3 point) override { return air.follow(point); }
-    Result<void> set_floor(double height) override { return air.set_floor(height); }
-    glm::dvec3 origin() const override { return air.origin(); }
-    Box box() const override { return air.box(); }
-    const Config& config() const override { return air.config(); }
-    Result<void> set_velocity(std::span<const glm::vec4> field) override { return air.set_velocity(field); }
-    void reset() override { air.reset(); }
-    void record_to(EventLog* log) override { air.record_to(log); }
-    WindowBlock window_block(glm::dvec3 anchor) const override { return air.window_block(anchor); }
-    FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling) const override {
-        return air.frame_block(anchor, sampling);
+struct WindOf final : windrow_wind {
+    explicit WindOf(Air its_air) : air(std::move(its_air)) {
+        control = &air;
+        reader = &air;
+        if constexpr (std::same_as<Air, Wind>)
+            cpu = &air;
     }
-    std::uint64_t memory_bytes() const override { return air.memory_bytes(); }
-    glm::vec3 velocity(glm::dvec3 position) const override { return air.velocity(position); }
 
     Air air;
 };

@@ -17,7 +17,7 @@ template <class C>
 windrow_result add(windrow_wind* wind, const C* motor, windrow_motor_id* id) {
     return call({{wind, "wind"}, {motor, "motor"}}, [&] {
         return with(motor, [&](const auto& wanted) -> windrow_result {
-            const Result<MotorId> added = wind->motors().add(wanted);
+            const Result<MotorId> added = wind->control->motors().add(wanted);
             if (added && id != nullptr)
                 *id = {added->slot, added->generation, added->owner};
             return done(added);
@@ -27,7 +27,7 @@ windrow_result add(windrow_wind* wind, const C* motor, windrow_motor_id* id) {
 
 /// The outcome of a call with an id; its class is WINDROW_STALE where the id names nothing.
 windrow_result done_with(const windrow_wind* wind, MotorId id, const Result<void>& outcome) {
-    if (!outcome && wind->motors().find(id) == nullptr)
+    if (!outcome && wind->control->motors().find(id) == nullptr)
         return fail_stale(outcome.error());
     return done(outcome);
 }
@@ -37,7 +37,7 @@ windrow_result set(windrow_wind* wind, windrow_motor_id id, const C* motor) {
     return call({{wind, "wind"}, {motor, "motor"}}, [&] {
         return with(motor, [&](const auto& wanted) {
             const auto named = id_of<MotorId>(id);
-            return done_with(wind, named, wind->motors().set(named, wanted));
+            return done_with(wind, named, wind->control->motors().set(named, wanted));
         });
     });
 }
@@ -45,7 +45,7 @@ windrow_result set(windrow_wind* wind, windrow_motor_id id, const C* motor) {
 /// Runs use(motor) on the motor that an id names.
 template <class Use>
 windrow_result with_motor(const windrow_wind* wind, windrow_motor_id id, const Use& use) {
-    const Motor* const motor = wind->motors().find(id_of<MotorId>(id));
+    const Motor* const motor = wind->control->motors().find(id_of<MotorId>(id));
     if (motor == nullptr)
         return fail_stale("the motor's id names none: it was removed, has ended, or another wind gave it; drop the id.");
     return use(*motor);
@@ -143,15 +143,15 @@ WINDROW_EXPORT windrow_result windrow_wind_motor_kind(const windrow_wind* wind, 
 WINDROW_EXPORT windrow_result windrow_wind_move_motor(windrow_wind* wind, windrow_motor_id id, windrow_dvec3 position) {
     return call({{wind, "wind"}}, [&] {
         const auto named = id_of<MotorId>(id);
-        return done_with(wind, named, wind->motors().move(named, to_cpp(position)));
+        return done_with(wind, named, wind->control->motors().move(named, to_cpp(position)));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_remove_motor(windrow_wind* wind, windrow_motor_id id) {
     return call({{wind, "wind"}}, [&] {
         const auto named = id_of<MotorId>(id);
-        return done_with(wind, named, wind->motors().remove(named));
+        return done_with(wind, named, wind->control->motors().remove(named));
     });
 }
 WINDROW_EXPORT int32_t windrow_wind_motor_count(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return wind->motors().count(); });
+    return value_of(wind, "wind", [&] { return wind->control->motors().count(); });
 }

@@ -15,7 +15,7 @@ namespace {
 /// The outcome of a call with an id; its class is WINDROW_STALE where the id names nothing.
 template <class T>
 windrow_result done_with(const windrow_wind* wind, ObstacleId id, const Result<T>& outcome) {
-    if (!outcome && wind->obstacles().find(id) == nullptr)
+    if (!outcome && wind->control->obstacles().find(id) == nullptr)
         return fail(WINDROW_STALE, outcome.error());
     return done(outcome);
 }
@@ -158,7 +158,7 @@ WINDROW_EXPORT windrow_result windrow_wind_add_obstacle(windrow_wind* wind, cons
                                                         windrow_obstacle_id* id) {
     return call({{wind, "wind"}, {obstacle, "obstacle"}}, [&] {
         return with(obstacle, [&](const Obstacle& wanted) -> windrow_result {
-            const Result<ObstacleId> added = wind->obstacles().add(wanted);
+            const Result<ObstacleId> added = wind->control->obstacles().add(wanted);
             if (added && id != nullptr)
                 *id = {added->slot, added->generation, added->owner};
             return done(added);
@@ -170,7 +170,7 @@ WINDROW_EXPORT windrow_result windrow_wind_set_obstacle(windrow_wind* wind, wind
     return call({{wind, "wind"}, {obstacle, "obstacle"}}, [&] {
         return with(obstacle, [&](const Obstacle& wanted) {
             const auto named = id_of<ObstacleId>(id);
-            return done_with(wind, named, wind->obstacles().set(named, wanted));
+            return done_with(wind, named, wind->control->obstacles().set(named, wanted));
         });
     });
 }
@@ -180,9 +180,9 @@ WINDROW_EXPORT windrow_result windrow_wind_get_obstacle(const windrow_wind* wind
         if (const windrow_result outcome = check_output(obstacle); outcome != WINDROW_OK)
             return outcome;
         const auto named = id_of<ObstacleId>(id);
-        if (const Result<void> there = wind->obstacles().check(named); !there)
+        if (const Result<void> there = wind->control->obstacles().check(named); !there)
             return fail(WINDROW_STALE, there.error());
-        give_cpp(*wind->obstacles().find(named), obstacle);
+        give_cpp(*wind->control->obstacles().find(named), obstacle);
         return WINDROW_OK;
     });
 }
@@ -191,18 +191,18 @@ WINDROW_EXPORT windrow_result windrow_wind_move_obstacle(windrow_wind* wind, win
     return call({{wind, "wind"}}, [&] {
         const auto named = id_of<ObstacleId>(id);
         return done_with(wind, named,
-                         orientation != nullptr ? wind->obstacles().move(named, to_cpp(position), to_cpp(*orientation))
-                                                : wind->obstacles().move(named, to_cpp(position)));
+                         orientation != nullptr ? wind->control->obstacles().move(named, to_cpp(position), to_cpp(*orientation))
+                                                : wind->control->obstacles().move(named, to_cpp(position)));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_remove_obstacle(windrow_wind* wind, windrow_obstacle_id id) {
     return call({{wind, "wind"}}, [&] {
         const auto named = id_of<ObstacleId>(id);
-        return done_with(wind, named, wind->obstacles().remove(named));
+        return done_with(wind, named, wind->control->obstacles().remove(named));
     });
 }
 WINDROW_EXPORT int32_t windrow_wind_obstacle_count(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return wind->obstacles().count(); });
+    return value_of(wind, "wind", [&] { return wind->control->obstacles().count(); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_force_on(const windrow_wind* wind, windrow_obstacle_id id,
                                                     windrow_obstacle_force* force) {
@@ -210,7 +210,7 @@ WINDROW_EXPORT windrow_result windrow_wind_force_on(const windrow_wind* wind, wi
         if (const windrow_result outcome = check_output(force); outcome != WINDROW_OK)
             return outcome;
         const auto named = id_of<ObstacleId>(id);
-        const Result<ObstacleForce> acting = wind->force_on(named);
+        const Result<ObstacleForce> acting = wind->reader->force_on(named);
         if (acting)
             give_cpp(*acting, force);
         return done_with(wind, named, acting);

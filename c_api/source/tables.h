@@ -15,9 +15,9 @@ WINDROW_C_STRUCT(windrow_canopy, Canopy, height, drag);
 WINDROW_C_STRUCT(windrow_roughness_map, RoughnessMap, lengths, position, scale);
 WINDROW_C_STRUCT(windrow_roughness, Roughness, length, longest_mixing, map);
 WINDROW_C_STRUCT_BUT(1, windrow_rows, Rows, first, uniform, ratio, top);
-WINDROW_C_STRUCT_BUT(3, windrow_config, Config, cells, cell_size, boundaries, centre, ambient, profile, gusts, canopy, roughness,
-                     rows, blend_width, viscosity, relaxation_time, sleep_speed, scheme, interpolation, max_cfl, max_substeps,
-                     pressure_solves, simd, parallel_for);
+WINDROW_C_STRUCT_BUT(3, windrow_config, Config, cells, cell_size, boundaries, centre, floor, ambient, profile, gusts, canopy,
+                     roughness, rows, blend_width, viscosity, relaxation_time, sleep_speed, scheme, interpolation, max_cfl,
+                     max_substeps, pressure_solves, simd, parallel_for);
 
 // --- ambient.h ---------------------------------------------------------------------------------------------------------
 WINDROW_C_STRUCT(windrow_sampling, Sampling, strength, limit, detail, detail_length);
@@ -27,8 +27,8 @@ WINDROW_C_STRUCT(windrow_uniform_gust, UniformGust, mean, amplitude, period, dir
 // --- wind.h ------------------------------------------------------------------------------------------------------------
 WINDROW_C_STRUCT(windrow_stage_times, StageTimes, sources, ambient, diffusion, advection, projection, obstacles, report, total);
 WINDROW_C_STRUCT(windrow_diagnostics, Diagnostics, stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped,
-                 carried_time, motors_in_reach, limited_cells, repaired_cells, diffusion, pressure_residual, pressure_solves,
-                 sealed_sources, divergence_rms, energy, asleep, times_ms);
+                 carried_time, motors_in_reach, motors_lost, limited_cells, repaired_cells, diffusion, pressure_residual,
+                 pressure_solves, sealed_sources, divergence_rms, energy, asleep, times_ms);
 WINDROW_C_STRUCT_BUT(1, windrow_advance, Advance, ticks, dropped, factor);
 struct QueryDefaults {
     windrow_number number = WINDROW_NUMBER_DOUBLE;

@@ -23,11 +23,11 @@ WINDROW_EXPORT windrow_result windrow_tracer_create(const windrow_wind* wind, co
         *tracer = nullptr;
     return call({{wind, "wind"}}, [&] {
         return create(tracer, [&]() -> Result<Tracer> {
-            if (wind->cpu() == nullptr)
+            if (wind->cpu == nullptr)
                 return needs_cpu();
-            return Tracer::create(wind->cpu()->view(), parallel_for != nullptr
-                                                           ? ParallelFor{parallel_for->run, parallel_for->context}
-                                                           : ParallelFor{});
+            return Tracer::create(wind->cpu->view(), parallel_for != nullptr
+                                                         ? ParallelFor{parallel_for->run, parallel_for->context}
+                                                         : ParallelFor{});
         });
     });
 }
@@ -36,9 +36,9 @@ WINDROW_EXPORT void windrow_tracer_destroy(windrow_tracer* tracer) {
 }
 WINDROW_EXPORT windrow_result windrow_tracer_step(windrow_tracer* tracer, const windrow_wind* wind, double dt) {
     return call({{tracer, "tracer"}, {wind, "wind"}}, [&]() -> Result<void> {
-        if (wind->cpu() == nullptr)
+        if (wind->cpu == nullptr)
             return needs_cpu();
-        return tracer->tracer.step(wind->cpu()->view(), wind->cpu()->obstacles().in_reach(), dt);
+        return tracer->tracer.step(wind->cpu->view(), wind->cpu->obstacles().in_reach(), dt);
     });
 }
 WINDROW_EXPORT windrow_result windrow_tracer_blow(windrow_tracer* tracer, windrow_dvec3 point, float radius) {

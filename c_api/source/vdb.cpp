@@ -86,20 +86,10 @@ windrow_result with_options(const windrow_vdb_options* options, const Use& use) 
 /// Runs use(grid) on the cells of a wind.
 template <class Use>
 windrow_result with_grid(const windrow_wind* wind, const Use& use) {
-    if (wind->cpu() != nullptr)
-        return use(vdb::grid_of(*wind->cpu()));
-    windrow_result why = WINDROW_REJECTED;
-    const Result<WindView> view = wind->view(WINDROW_FRAME_NOW, why);
-    if (!view)
-        return fail(why, view.error());
-    vdb::VelocityGrid grid;
-    grid.cells = view->box().cells;
-    grid.cell_size = view->box().cell_size;
-    grid.rows = view->box().rows;
-    grid.origin = view->origin();
-    grid.field = view->field();
-    grid.outside = view->ambient().without_gusts().velocity(view->origin() + 0.5 * view->window().size());
-    return use(grid);
+    const Result<vdb::VelocityGrid> grid = vdb::grid_of(*wind->control, *wind->reader);
+    if (!grid)
+        return wind->cpu != nullptr ? done(grid) : fail(WINDROW_NOT_READY, grid.error());
+    return use(*grid);
 }
 
 /// The region that a host asks for, on voxels of a wind.
@@ -120,10 +110,9 @@ WINDROW_EXPORT windrow_result windrow_vdb_film_init(windrow_vdb_film* film, uint
 WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, const windrow_vdb_film* film, const char* path,
                                                      const windrow_vdb_options* options) {
     return call({{wind, "wind"}, {film, "film"}, {path, "path"}}, [&]() -> windrow_result {
-        windrow_result why = WINDROW_REJECTED;
-        const Result<WindView> view = wind->view(WINDROW_FRAME_NOW, why);
+        const Result<WindView> view = wind->reader->view();
         if (!view)
-            return fail(why, view.error());
+            return fail(WINDROW_NOT_READY, view.error());
         Reasons reasons;
         windrow_vdb_film taken;
         vdb::FilmSettings settings;
@@ -138,15 +127,15 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, c
             return fail(WINDROW_REJECTED, reasons.take());
         const auto scalars = grids_of<vdb::CellScalar>(taken.scalars, taken.scalar_count, view->box().cell_count());
         std::vector<float> obstacle;
-        if (const Wind* const air = wind->cpu(); air != nullptr && air->obstacles().count() > 0) {
+        if (wind->control->obstacles().count() > 0 && view->box().cells == wind->control->box().cells) {
             obstacle.resize(view->box().cell_count());
-            if (auto written = air->write_obstacles(obstacle); !written)
+            if (auto written = wind->reader->write_obstacles(obstacle); !written)
                 return done(written);
         }
         settings.region = region_of(taken, *view);
         settings.obstacle = obstacle;
         settings.scalars = scalars;
-        settings.parallel_for = wind->config().parallel_for;
+        settings.parallel_for = wind->control->config().parallel_for;
         const Result<vdb::FilmGrid> grid = vdb::film_grid(*view, settings);
         if (!grid)
             return done(grid);

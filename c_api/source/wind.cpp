@@ -14,28 +14,10 @@ using namespace windrow::c_api;
 
 namespace {
 
-class CpuWind final : public WindOf<Wind> {
-  public:
-    using WindOf::WindOf;
-    Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override {
-        air.set_velocity(velocity_at);
-        return {};
-    }
-    using WindOf::set_velocity;
-    Result<WindView> view(windrow_frame frame, windrow_result&) const override {
-        return frame == WINDROW_FRAME_PREVIOUS ? air.previous_view() : air.view();
-    }
-    Result<AmbientWind> ambient_wind(windrow_frame frame) const override {
-        return (frame == WINDROW_FRAME_PREVIOUS ? air.previous_view() : air.view()).ambient();
-    }
-    Wind* cpu() override { return &air; }
-    const Wind* cpu() const override { return &air; }
-};
-
 windrow_result make_cpu_wind(windrow_wind** wind, Result<Wind> made) {
     if (!made)
         return done(made);
-    *wind = new CpuWind(*std::move(made));
+    *wind = new WindOf<Wind>(*std::move(made));
     return WINDROW_OK;
 }
 
@@ -51,11 +33,14 @@ bool is_time(double dt) {
 windrow_result fail_time(double dt) {
     return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
 }
-windrow_result lasted(const Diagnostics& report) {
+windrow_result lasted(windrow_wind& wind, const Diagnostics& report) {
     if (report.out_of_memory) [[unlikely]]
         return fail(detail::out_of_memory());
     if (report.repaired_cells > 0) [[unlikely]]
         warn("cells that were not finite were set to the ambient wind: look for a velocity that the host set.");
+    if (report.motors_lost > wind.motors_lost) [[unlikely]]
+        warn("a motor acts on no air where it is: it is under the ground or far outside of the box; move it or the floor.");
+    wind.motors_lost = report.motors_lost;
     return WINDROW_OK;
 }
 
@@ -64,10 +49,10 @@ template <class Use>
 windrow_result with_view(const windrow_wind* wind, windrow_frame frame, const Use& use) {
     if (frame != WINDROW_FRAME_NOW && frame != WINDROW_FRAME_PREVIOUS)
         return fail(WINDROW_REJECTED, detail::message("frame is ", frame, ": give WINDROW_FRAME_NOW or WINDROW_FRAME_PREVIOUS."));
-    windrow_result why = WINDROW_REJECTED;
-    const Result<WindView> view = wind->view(frame, why);
+    const bool before = frame == WINDROW_FRAME_PREVIOUS;
+    const Result<WindView> view = before ? wind->reader->previous_view() : wind->reader->view();
     if (!view)
-        return fail(why, view.error());
+        return fail(before ? WINDROW_UNSUPPORTED : WINDROW_NOT_READY, view.error());
     return done(use(*view));
 }
 
@@ -197,9 +182,9 @@ WINDROW_EXPORT void windrow_wind_destroy(windrow_wind* wind) {
 WINDROW_EXPORT windrow_result windrow_wind_save(const windrow_wind* wind, windrow_bytes** bytes) {
     if (wind == nullptr)
         return fail_null("wind");
-    if (wind->cpu() == nullptr)
+    if (wind->cpu == nullptr)
         return lacks("windrow_wind_save");
-    return create(bytes, [&] { return wind->cpu()->save(); });
+    return create(bytes, [&] { return wind->cpu->save(); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_load(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
                                                 windrow_wind** wind) {
@@ -212,7 +197,7 @@ WINDROW_EXPORT windrow_result windrow_wind_load(const void* bytes, uint64_t size
 }
 WINDROW_EXPORT windrow_result windrow_wind_record_to(windrow_wind* wind, windrow_event_log* log) {
     return call({{wind, "wind"}}, [&]() -> Result<void> {
-        wind->record_to(log != nullptr ? &log->log : nullptr);
+        wind->control->record_to(log != nullptr ? &log->log : nullptr);
         return {};
     });
 }
@@ -222,7 +207,7 @@ WINDROW_EXPORT windrow_result windrow_wind_config(windrow_wind* wind, windrow_co
             return outcome;
         if (!wind->config_store)
             wind->config_store = std::make_unique<windrow_wind::ConfigStore>();
-        const Config& from = wind->config();
+        const Config& from = wind->control->config();
         auto& store = *wind->config_store;
         windrow_config all{};
         write_fields(from, all);
@@ -246,73 +231,73 @@ WINDROW_EXPORT windrow_result windrow_wind_config(windrow_wind* wind, windrow_co
     });
 }
 WINDROW_EXPORT uint64_t windrow_wind_memory_bytes(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return wind->memory_bytes(); });
+    return value_of(wind, "wind", [&] { return wind->reader->memory_bytes(); });
 }
 
 // --- Time --------------------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_wind_step(windrow_wind* wind, double dt, windrow_diagnostics* diagnostics) {
     return call({{wind, "wind"}}, [&]() -> windrow_result {
-        if (wind->cpu() == nullptr)
+        if (wind->cpu == nullptr)
             return lacks("windrow_wind_step");
         if (!is_time(dt))
             return fail_time(dt);
         if (const windrow_result outcome = check_output(diagnostics); outcome != WINDROW_OK)
             return outcome;
-        const Diagnostics report = wind->cpu()->step(dt);
+        const Diagnostics report = wind->cpu->step(dt);
         give_cpp(report, diagnostics);
-        return lasted(report);
+        return lasted(*wind, report);
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_advance(windrow_wind* wind, double dt, windrow_advance* advance,
                                                    windrow_diagnostics* last) {
     return call({{wind, "wind"}}, [&]() -> windrow_result {
-        if (wind->cpu() == nullptr)
+        if (wind->cpu == nullptr)
             return lacks("windrow_wind_advance");
         if (!is_time(dt))
             return fail_time(dt);
         for (const windrow_result outcome : {check_output(advance), check_output(last)})
             if (outcome != WINDROW_OK)
                 return outcome;
-        const Advance report = wind->cpu()->advance(dt);
+        const Advance report = wind->cpu->advance(dt);
         give_cpp(report, advance);
         give_cpp(report.last, last);
-        return lasted(report.last);
+        return lasted(*wind, report.last);
     });
 }
 
 // --- Place and ambient wind ----------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_wind_follow(windrow_wind* wind, windrow_dvec3 point) {
-    return call({{wind, "wind"}}, [&] { return wind->follow(to_cpp(point)); });
+    return call({{wind, "wind"}}, [&] { return wind->control->follow(to_cpp(point)); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_set_floor(windrow_wind* wind, double height) {
-    return call({{wind, "wind"}}, [&] { return wind->set_floor(height); });
+    return call({{wind, "wind"}}, [&] { return wind->control->set_floor(height); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_box(const windrow_wind* wind, windrow_box* box) {
     return call({{wind, "wind"}, {box, "box"}}, [&]() -> windrow_result {
         if (const windrow_result outcome = check_output(box); outcome != WINDROW_OK)
             return outcome;
         windrow_box all{};
-        write_fields(wind->box(), all);
-        all.origin = to_c(wind->origin());
+        write_fields(wind->control->box(), all);
+        all.origin = to_c(wind->control->origin());
         give(all, box);
         return WINDROW_OK;
     });
 }
 WINDROW_EXPORT windrow_dvec3 windrow_wind_origin(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return to_c(wind->origin()); });
+    return value_of(wind, "wind", [&] { return to_c(wind->control->origin()); });
 }
 WINDROW_EXPORT uint64_t windrow_wind_cell_count(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return static_cast<uint64_t>(wind->box().cell_count()); });
+    return value_of(wind, "wind", [&] { return static_cast<uint64_t>(wind->control->box().cell_count()); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_set_ambient(windrow_wind* wind, windrow_vec3 ambient) {
-    return call({{wind, "wind"}}, [&] { return wind->set_ambient(to_cpp(ambient)); });
+    return call({{wind, "wind"}}, [&] { return wind->control->set_ambient(to_cpp(ambient)); });
 }
 WINDROW_EXPORT windrow_vec3 windrow_wind_ambient(const windrow_wind* wind) {
-    return value_of(wind, "wind", [&] { return to_c(wind->ambient()); });
+    return value_of(wind, "wind", [&] { return to_c(wind->control->ambient()); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_set_gusts(windrow_wind* wind, const windrow_gusts* gusts) {
     return call({{wind, "wind"}, {gusts, "gusts"}},
-                [&] { return with(gusts, [&](const Gusts& wanted) { return wind->set_gusts(wanted); }); });
+                [&] { return with(gusts, [&](const Gusts& wanted) { return wind->control->set_gusts(wanted); }); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_set_boundaries(windrow_wind* wind, const windrow_boundaries* boundaries) {
     return call({{wind, "wind"}, {boundaries, "boundaries"}}, [&]() -> windrow_result {
@@ -321,14 +306,14 @@ WINDROW_EXPORT windrow_result windrow_wind_set_boundaries(windrow_wind* wind, co
         read_fields(reasons, Path{nullptr, "boundaries"}, *boundaries, wanted);
         if (!reasons.empty())
             return fail(WINDROW_REJECTED, reasons.take());
-        return done(wind->set_boundaries(wanted));
+        return done(wind->control->set_boundaries(wanted));
     });
 }
 
 // --- Setting the air ---------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_wind_set_velocity(windrow_wind* wind, windrow_velocity_at velocity_at, void* user) {
     return call({{wind, "wind"}, {reinterpret_cast<const void*>(velocity_at), "velocity_at"}}, [&] {
-        return wind->set_velocity([&](glm::dvec3 centre) {
+        return wind->control->set_velocity([&](glm::dvec3 centre) {
             const windrow_dvec3 place = to_c(centre);
             windrow_vec3 velocity{};
             velocity_at(user, &place, &velocity);
@@ -338,12 +323,12 @@ WINDROW_EXPORT windrow_result windrow_wind_set_velocity(windrow_wind* wind, wind
 }
 WINDROW_EXPORT windrow_result windrow_wind_set_field(windrow_wind* wind, const windrow_vec4* cells, uint64_t count) {
     return call({{wind, "wind"}, {cells, "cells"}}, [&] {
-        return wind->set_velocity({same_layout<const glm::vec4>(cells), static_cast<std::size_t>(count)});
+        return wind->control->set_velocity({same_layout<const glm::vec4>(cells), static_cast<std::size_t>(count)});
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_reset(windrow_wind* wind) {
     return call({{wind, "wind"}}, [&]() -> Result<void> {
-        wind->reset();
+        wind->control->reset();
         return {};
     });
 }
@@ -351,7 +336,7 @@ WINDROW_EXPORT windrow_result windrow_wind_reset(windrow_wind* wind) {
 // --- Reading the air -----------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_wind_velocity(const windrow_wind* wind, windrow_dvec3 position, windrow_vec3* velocity) {
     return call({{wind, "wind"}, {velocity, "velocity"}}, [&]() -> windrow_result {
-        *velocity = to_c(wind->velocity(to_cpp(position)));
+        *velocity = to_c(wind->reader->velocity(to_cpp(position)));
         return WINDROW_OK;
     });
 }
@@ -401,17 +386,14 @@ WINDROW_EXPORT windrow_result windrow_wind_write_axes(const windrow_wind* wind, 
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_write_obstacles(const windrow_wind* wind, float* cells, uint64_t count) {
-    return call({{wind, "wind"}, {cells, "cells"}}, [&]() -> windrow_result {
-        if (wind->cpu() == nullptr)
-            return lacks("windrow_wind_write_obstacles");
-        return done(wind->cpu()->write_obstacles(numbers<float>(cells, count)));
-    });
+    return call({{wind, "wind"}, {cells, "cells"}},
+                [&]() -> windrow_result { return done(wind->reader->write_obstacles(numbers<float>(cells, count))); });
 }
 WINDROW_EXPORT windrow_result windrow_wind_write_pressure(windrow_wind* wind, float* cells, uint64_t count) {
     return call({{wind, "wind"}, {cells, "cells"}}, [&]() -> windrow_result {
-        if (wind->cpu() == nullptr)
+        if (wind->cpu == nullptr)
             return lacks("windrow_wind_write_pressure");
-        return done(wind->cpu()->write_pressure(numbers<float>(cells, count)));
+        return done(wind->reader->write_pressure(numbers<float>(cells, count)));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_field(const windrow_wind* wind, windrow_frame frame, const windrow_vec4** cells,
@@ -435,7 +417,7 @@ WINDROW_EXPORT float windrow_from_half(uint16_t half) {
 WINDROW_EXPORT windrow_result windrow_wind_window_block(const windrow_wind* wind, windrow_dvec3 anchor,
                                                         windrow_window_block* block) {
     return call({{wind, "wind"}, {block, "block"}}, [&]() -> Result<void> {
-        copy_block(wind->window_block(to_cpp(anchor)), block);
+        copy_block(wind->reader->window_block(to_cpp(anchor)), block);
         return {};
     });
 }
@@ -443,7 +425,7 @@ WINDROW_EXPORT windrow_result windrow_wind_frame_block(const windrow_wind* wind,
                                                        const windrow_sampling* sampling, windrow_frame_block* block) {
     return call({{wind, "wind"}, {block, "block"}}, [&] {
         return with_sampling(sampling, [&](const Sampling& wanted) -> Result<void> {
-            copy_block(wind->frame_block(to_cpp(anchor), wanted), block);
+            copy_block(wind->reader->frame_block(to_cpp(anchor), wanted), block);
             return {};
         });
     });

@@ -91,8 +91,6 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
         check_backend(*bench, request->backend);
         if (request->backend.kind == cases::BackendKind::vulkan && !request->volumes.empty())
             reject("--volumes is given with --backend vulkan, which measures grids: drop one of them.");
-        if (request->backend.kind == cases::BackendKind::vulkan && request->obstacles)
-            reject("--obstacles is given with --backend vulkan, which has none: drop one of them.");
         if (request->grids.empty() && request->volumes.empty())
             request->grids.assign(std::begin(k_bench_grids), std::end(k_bench_grids));
         chosen = interruptible<BenchRequest>(run_bench, request, console);
@@ -101,7 +99,7 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
 
 int run_bench(const BenchRequest& request, const Console& console, const std::function<int()>& stop_signal) {
 #if WINDROW_WITH_VULKAN
-    if (request.backend.kind == cases::BackendKind::vulkan)
+    if (request.backend.kind == cases::BackendKind::vulkan && !request.obstacles)
         return run_device_bench(request, console, stop_signal);
 #endif
     if (!check_memory(request, console))
@@ -124,10 +122,15 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
                        .threads = threads,
                        .grids = {},
                        .volumes = {}};
+    cases::Backend backend;
+    if (const auto fault = open_backend(request.backend, backend))
+        return complain_of(fault, console);
+    if (!backend.is_cpu())
+        result.device = backend.device_words();
     report_machine(result, console);
     for (const glm::ivec3 cells : request.grids) {
         if (request.obstacles) {
-            auto scenes = measure_obstacles(cells, request, threads, pool->parallel_for(), stopped);
+            auto scenes = measure_obstacles(cells, request, backend, threads, pool->parallel_for(), stopped);
             if (!scenes)
                 return complain(scenes.error(), console);
             if (!*scenes)

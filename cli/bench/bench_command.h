@@ -44,10 +44,10 @@ struct BenchRequest {
 struct SchemeResult {
     const char* name;
     Spread step_ms{};
-    std::array<Spread, k_stages.size() - 1> stages_ms{}; ///< the stages of k_stages without the last, the whole
-    int loops = 0;                                       ///< parallel loops a step, and so barriers
-    double bytes_per_cell = 0.0;                         ///< held
-    double vs_copy16 = 0.0, vs_stam40 = 0.0;             ///< time of a step over that of a copy, of Stam's step
+    std::array<Spread, k_stage_count> stages_ms{}; ///< in the order of StageTimes
+    int loops = 0;                                 ///< parallel loops a step, and so barriers
+    double bytes_per_cell = 0.0;                   ///< held
+    double vs_copy16 = 0.0, vs_stam40 = 0.0;       ///< time of a step over that of a copy, of Stam's step
     float largest_cfl = 0.0f;
     int max_substeps = 0;
     bool slept = false;

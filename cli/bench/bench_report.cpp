@@ -45,7 +45,7 @@ std::string schemes(const GridResult& grid) {
 std::string stages(const SchemeResult& scheme) {
     std::string text = k_table.line(message(scheme.name, ", stages"), {"min ms", "median ms", "99 % ms", "samples"});
     for (std::size_t n = 0; n < scheme.stages_ms.size(); ++n)
-        text += times(message("  ", k_stages[n].name), scheme.stages_ms[n]);
+        text += times(message("  ", StageTimes::rows()[n].name), scheme.stages_ms[n]);
     return text;
 }
 
@@ -95,7 +95,7 @@ Json spread(const Spread& ms) {
 Json entry(const GridResult& grid, const SchemeResult& scheme) {
     Json stages;
     for (std::size_t n = 0; n < scheme.stages_ms.size(); ++n)
-        stages[k_stages[n].name] = spread(scheme.stages_ms[n]);
+        stages[StageTimes::rows()[n].name] = spread(scheme.stages_ms[n]);
     const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
     return {{"grid", grid_name(grid.cells)},
             {"scheme", scheme.name},

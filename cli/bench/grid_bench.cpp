@@ -105,10 +105,10 @@ constexpr int k_walk_steps = 100, k_walk_runs = 5;
 constexpr double k_walk_speed = 12.0; // [m/s] of the box: a fifth of a cell a step
 
 // Fraction of the cells that have a neighbour on the other side of a wall.
-double surface_of(const Wind& wind) {
+double surface_of(const BackendWind& wind) {
     const Box box = wind.box();
     std::vector<float> inside(box.cell_count());
-    if (!wind.write_obstacles(inside))
+    if (!wind.reader().write_obstacles(inside))
         return 0.0;
     std::size_t found = 0;
     for (int k = 0; k < box.cells.z; ++k)
@@ -128,12 +128,13 @@ double surface_of(const Wind& wind) {
 }
 
 // A walk through a town, several times: each of its steps has the least of its times.
-bool walk(const Config& config, ObstaclesResult::Walk& result, const std::function<bool()>& stopped) {
+bool walk(const Config& config, const Backend& backend, ObstaclesResult::Walk& result, const std::function<bool()>& stopped) {
     std::vector<float> least(k_walk_steps, std::numeric_limits<float>::infinity());
     for (int run = 0; run < k_walk_runs; ++run) {
-        auto wind = Wind::create(config);
-        if (!wind || !build_town(place_of(*wind), 2.0))
+        auto made = BackendWind::create(config, backend);
+        if (!made || !build_town(place_of(**made), 2.0))
             return false;
+        const auto& wind = *made;
         for (int step = -10; step < k_walk_steps; ++step) { // the first steps of a flow are others
             if (stopped())
                 return false;
@@ -153,8 +154,9 @@ bool walk(const Config& config, ObstaclesResult::Walk& result, const std::functi
 
 } // namespace
 
-Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request, int threads,
-                                                         const ParallelFor& parallel_for, const std::function<bool()>& stopped) {
+Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request, const Backend& backend,
+                                                         int threads, const ParallelFor& parallel_for,
+                                                         const std::function<bool()>& stopped) {
     const std::vector<glm::vec4> flow = jets(bench_box(cells));
     const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{};
     const auto nothing = [](const BuildingPlace&) { return true; };
@@ -189,13 +191,14 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
         config.roughness = rough ? std::optional<Roughness>(Roughness{}) : std::nullopt;
         config.rows = rows ? std::optional<Rows>(Rows{.first = 0.5f, .uniform = cells.y / 4, .top = static_cast<float>(cells.y)})
                            : std::nullopt;
-        auto wind = Wind::create(config);
-        if (!wind)
-            return Error{wind.error()};
-        if (!build(place_of(*wind)))
+        auto made = BackendWind::create(config, backend, BackendClock::on);
+        if (!made)
+            return Error{made.error()};
+        BackendWind& wind = **made;
+        if (!build(place_of(wind)))
             return Error{detail::message("the scene ", name, " has no room for its obstacles: give a larger grid.")};
-        const int count = static_cast<int>(wind->obstacles().count());
-        winds.push_back(std::make_unique<WindContestant>(std::move(*wind), flow));
+        const int count = static_cast<int>(wind.obstacles().count());
+        winds.push_back(std::make_unique<WindContestant>(*std::move(made), flow));
         (void)contest.add(winds.back()->contestant());
         result.scenes.push_back({.name = name, .obstacles = count});
     }
@@ -215,7 +218,7 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
     config.pressure_solves = 0; // and in the uneven rows of the last scene
     Config equal = config;
     equal.rows.reset();
-    if (!walk(equal, result.walk, stopped) || !walk(config, result.walk_in_rows, stopped))
+    if (!walk(equal, backend, result.walk, stopped) || !walk(config, backend, result.walk_in_rows, stopped))
         return std::optional<ObstaclesResult>();
     return std::optional(std::move(result));
 }
@@ -246,10 +249,10 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
          {std::pair("second_order", Scheme::second_order), std::pair("stable_fluids", Scheme::stable_fluids)}) {
         const Config config = bench_config(cells, scheme, request.simd, loop);
         const int loops = count_loops(config, flow);
-        auto wind = Wind::create(config);
+        auto wind = BackendWind::create(config);
         if (!wind)
             return Error{wind.error()};
-        auto contestant = std::make_unique<WindContestant>(std::move(*wind), flow);
+        auto contestant = std::make_unique<WindContestant>(*std::move(wind), flow);
         const std::size_t number = contest.add(contestant->contestant());
         own.push_back({name, loops, std::move(contestant), number});
     }
@@ -351,11 +354,11 @@ Result<std::optional<VolumesResult>> measure_volumes(const VolumesRequest& reque
     for (int n = 0; n < request.volumes; ++n) {
         if (stopped())
             return std::optional<VolumesResult>();
-        auto wind = Wind::create(config);
+        auto wind = BackendWind::create(config);
         if (!wind)
             return Error{wind.error()};
-        bytes = wind->memory_bytes();
-        winds.emplace_back(std::move(*wind), flow);
+        bytes = (*wind)->reader().memory_bytes();
+        winds.emplace_back(*std::move(wind), flow);
     }
 
     Contest contest;

@@ -24,7 +24,8 @@ namespace windrow::cli {
                                                              const std::function<bool()>& stopped);
 
 /// Obstacles: one cube; a town with 3 % of the cells at a surface, with one solve and with two; 10,000 obstacles outside of the box.
-[[nodiscard]] Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request, int threads,
+[[nodiscard]] Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request,
+                                                                       const cases::Backend& backend, int threads,
                                                                        const ParallelFor& parallel_for,
                                                                        const std::function<bool()>& stopped);
 

@@ -34,25 +34,25 @@ Config bench_config(glm::ivec3 cells, Scheme scheme, Simd simd, const ParallelFo
             .parallel_for = parallel_for};
 }
 
-WindContestant::WindContestant(Wind wind, std::span<const glm::vec4> flow)
+WindContestant::WindContestant(std::unique_ptr<BackendWind> wind, std::span<const glm::vec4> flow)
     : wind_(std::move(wind)), flow_(flow), age_(k_steps_of_flow) {}
 
 void WindContestant::refresh() {
     if (age_ < k_steps_of_flow)
         return;
-    static_cast<void>(wind_.set_velocity(flow_)); // of the box's size
+    static_cast<void>(wind_->set_velocity(flow_)); // of the box's size
     age_ = 0;
     step();
 }
 
 void WindContestant::step() {
-    last_ = wind_.step(k_bench_dt);
+    last_ = wind_->step(k_bench_dt);
     ++age_;
 }
 
 void WindContestant::note() {
     for (std::size_t n = 0; n < stage_ms_.size(); ++n)
-        stage_ms_[n].push_back(static_cast<float>(last_.times_ms.*k_stages[n].value));
+        stage_ms_[n].push_back(static_cast<float>(last_.times_ms.*StageTimes::rows()[n].member));
     largest_cfl_ = std::max(largest_cfl_, last_.cfl);
     at_obstacles_.push_back(static_cast<float>(last_.times_ms.obstacles / std::max(last_.times_ms.total, 1e-9)));
     most_solves_ = std::max(most_solves_, last_.pressure_solves);
@@ -72,7 +72,7 @@ SchemeResult WindContestant::result(const char* name) const {
     SchemeResult result{.name = name};
     for (std::size_t n = 0; n < stage_ms_.size(); ++n)
         result.stages_ms[n] = spread_of(stage_ms_[n]);
-    result.bytes_per_cell = static_cast<double>(wind_.memory_bytes()) / static_cast<double>(wind_.box().cell_count());
+    result.bytes_per_cell = static_cast<double>(wind_->reader().memory_bytes()) / static_cast<double>(wind_->box().cell_count());
     result.largest_cfl = largest_cfl_;
     result.max_substeps = max_substeps_;
     result.slept = slept_;

@@ -1,11 +1,12 @@
 // The library's own step as a contestant: keeps its flow alive and gathers what its steps report.
 #pragma once
 
+#include "cases/backend_wind.h"
 #include "cli/bench/bench_command.h"
-#include "fluid/wind.h"
 
 #include <array>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace windrow::cli {
 class WindContestant {
   public:
     /// `flow` outlives the contestant.
-    WindContestant(Wind wind, std::span<const glm::vec4> flow);
+    WindContestant(std::unique_ptr<cases::BackendWind> wind, std::span<const glm::vec4> flow);
 
     /// Steps this object, which then stays where it is.
     [[nodiscard]] Contestant contestant();
@@ -28,18 +29,18 @@ class WindContestant {
     void refresh();
     void step();
 
-    [[nodiscard]] const Wind& wind() const { return wind_; }
+    [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] double stages_at_obstacles() const; ///< median of their time over that of the step
     [[nodiscard]] int most_solves() const { return most_solves_; }
 
   private:
     void note();
 
-    Wind wind_;
+    std::unique_ptr<cases::BackendWind> wind_;
     std::span<const glm::vec4> flow_;
     int age_; ///< steps since the flow was set
     Diagnostics last_;
-    std::array<std::vector<float>, k_stages.size() - 1> stage_ms_;
+    std::array<std::vector<float>, k_stage_count> stage_ms_;
     float largest_cfl_ = 0.0f;
     std::vector<float> at_obstacles_{}; ///< time over that of the step
     int max_substeps_ = 0, most_solves_ = 0;

@@ -423,6 +423,8 @@ void Cells::hold_all() {
 // --- Frames ------------------------------------------------------------------------------------------------------------------
 
 void Cells::show_air() {
+    if (frames.before.empty())
+        return;
     hold_air();
     for (FrameCells::Field* field : {&frames.shown, &frames.shown_before}) {
         field->held = true;

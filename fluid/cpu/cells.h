@@ -68,6 +68,12 @@ class Cells final : public CellStorage {
     void apply(const CellChange& change) override;
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;
+    void show_air() override;
+    [[nodiscard]] MeasuredSpeed measured() const override { return measured_; }
+    [[nodiscard]] std::span<glm::vec4> in_place() override {
+        hold_air(); // the gusts of now
+        return air.velocity;
+    }
 
     [[nodiscard]] const Box& box() const { return work.box(); }
     /// Views of the air, and of the frames shown; their cells are written from then on. Thread-safe.
@@ -76,12 +82,11 @@ class Cells final : public CellStorage {
     /// Writes the ambient wind into cells that are marked as ambient. Thread-safe.
     void hold_air();
     void hold_all(); ///< also in the frames
-    /// Both frames show the current air.
-    void show_air();
     /// Marks the cells of the air, and of the tick before, as written.
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
     [[nodiscard]] WINDROW_INTERNAL SurfaceHistory surface_history() const;
+    [[nodiscard]] bool has_obstacles() const { return work.state().has_solids(); }
     /// 1 for cells inside obstacles, else 0.
     void write_obstacles(std::span<float> cells) const;
     /// [m^2/s^2] The pressure whose gradient the history holds. Throws std::bad_alloc.
@@ -142,7 +147,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool worked_on(std::span<const std::uint32_t> room) const;
     /// Of the prescribed winds at the end of the sub-step.
     [[nodiscard]] PrescribedFlow prescribed() const;
-    void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
+    void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale, int solves,
                         Diagnostics& report);
     void extend_into_bodies();
     void forget_inside();
@@ -158,7 +163,9 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool acts_whole() const;
     void act_whole(float dt);
     void renew_source_flow(std::span<const detail::MotorReach> reached);
-    void limit_speeds(float dt, Diagnostics& report);
+    void renew_sources(const CellStep& step, bool others, Diagnostics& report);
+    /// Chooses the number of sub-steps.
+    void limit_speeds(const CellStep& step, Diagnostics& report);
     /// [m/s] Most that a component may be where a step of dt [s] in all sub-steps allowed is to carry it.
     [[nodiscard]] float fastest_carried(float dt) const;
     void cut_speeds(float most, Diagnostics& report);
@@ -174,7 +181,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] std::span<const glm::vec4> mix(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
-    void perform(float dt, Diagnostics& report);
+    void perform(float dt, int solves, Diagnostics& report);
     void advance_stable_fluids(float dt, Diagnostics& report);
     void advance_in_place(float dt, Diagnostics& report);
     void measure(Diagnostics& report);
@@ -196,6 +203,7 @@ class Cells final : public CellStorage {
     std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell
     bool place_again_ = false;             ///< memory was missing
     bool bodies_move_ = false;             ///< some obstacle in the box moves in this step
+    MeasuredSpeed measured_;               ///< of the last step
     Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion and mixing; empty while neither acts
     std::optional<SurfaceLayer> layer_;    ///< over rough ground
     bool placed_anew_ = false;             ///< obstacles, since the layer was renewed

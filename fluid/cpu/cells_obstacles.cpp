@@ -122,19 +122,9 @@ PrescribedFlow Cells::prescribed() const {
     return {.ambient = around_.gusting() ? ambient_field_.data() : nullptr};
 }
 
-// One solve begins from the pressure of the last step. A second follows where bodies move, since theirs is another by now, or
-// where one leaves too much; a flow without a last step takes more.
 void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
-                           Diagnostics& report) {
-    Workspace::State::SolidSolve around{.keeps_terms = true, .guess_scale = guess_scale, .given = prescribed()};
-    if (config_.pressure_solves > 0)
-        around.solves = config_.pressure_solves;
-    else if (guess_scale == 0.0f)
-        around.solves = k_first_solves, around.tolerance = k_first_residual;
-    else {
-        around.solves = 2;
-        around.tolerance = bodies_move_ ? 0.0f : around_.gusting() ? k_gusty_residual : k_steady_residual;
-    }
+                           int solves, Diagnostics& report) {
+    Workspace::State::SolidSolve around{.keeps_terms = true, .guess_scale = guess_scale, .given = prescribed(), .solves = solves};
     work.state().project(velocity, {}, note, nullptr, &around);
     if (!work.state().has_solids())
         return;
@@ -153,7 +143,7 @@ void Cells::write_pressure(std::span<float> result) {
     Buffer<glm::vec4> gradient(air.history.size());
     std::copy_n(air.history.data(), air.history.size(), gradient.data());
     Workspace::State& state = work.state();
-    Workspace::State::SolidSolve at_rest{.bodies_move = false, .solves = k_first_solves, .tolerance = k_first_residual};
+    Workspace::State::SolidSolve at_rest{.bodies_move = false, .solves = k_first_solves};
     state.project(gradient, {}, {}, nullptr, &at_rest);
     state.copy_potential(result, 2.0f * box().cell_size / air.dt_old);
     for (const Solids::InsideCell& cell : inside_bodies())
@@ -213,9 +203,9 @@ std::span<const float> Cells::open_parts(std::span<const detail::MotorReach> rea
     return open_parts_;
 }
 
-// From no guess: the flow of a burst is another in each step. What passes through a wall is k_first_residual of it.
+// From no guess: the flow of a burst is another in each step.
 void Cells::project_sources(const FreeAir* beyond) {
-    Workspace::State::SolidSolve around{.bodies_move = false, .solves = k_first_solves, .tolerance = k_first_residual};
+    Workspace::State::SolidSolve around{.bodies_move = false, .solves = k_first_solves};
     work.state().project(source_flow, sources.expansion(), {}, beyond, &around);
     if (work.state().has_solids())
         loads.renew_sources(work.state().solid_flow(), work.state().potential.data());

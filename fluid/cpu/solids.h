@@ -45,12 +45,6 @@ void make_room(List& list, std::size_t count) {
         list.reserve(2 * count);
 }
 
-// Solves of the pressure around obstacles where Config::pressure_solves is 0. A step takes one, and one more while bodies move or
-// where one leaves too much of the divergence; a flow without a last step, and that of volume sources, takes more.
-inline constexpr int k_first_solves = 16;
-inline constexpr float k_first_residual = 1e-3f;
-inline constexpr float k_steady_residual = 1e-2f, k_gusty_residual = 6e-2f; ///< for which one solve does
-
 /// A closed face, between a cell and its high neighbour along an axis.
 struct ClosedFace {
     std::uint32_t cell[2] = {};      ///< low and high, indices in fields

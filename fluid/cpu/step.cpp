@@ -85,17 +85,17 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     loads.begin(dt);
     const bool others = !bodies_move_ && place_obstacles(step, 0.0, report);
     add_sources(step, others, report);
-    limit_speeds(dt, report);
+    limit_speeds(step, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
         wind.set_phase(phase);
         wind.advance(step.duration * (part + 1) / report.substeps);
         next_phase_ = wind.phase();
-        if (bodies_move_ && place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report)) {
-            sources.leave_out(inside_bodies());
-            seal_sources(step.motors, report);
-            if (has_source_flow())
-                renew_source_flow(step.motors);
+        const double early = step.duration * (report.substeps - part - 1) / report.substeps;
+        if (bodies_move_) {
+            const bool placed = place_obstacles(step, early, report);
+            if (part == 0) // sources are renewed once a step
+                renew_sources(step, placed, report);
         }
         if (!config_.stages.advection)
             advance_in_place(part_dt, report);
@@ -116,6 +116,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         fill_air();
         measure(report); // again: the air is ambient now
     }
+    measured_ = {.tick = step.tick, .largest = report.max_speed};
     report.times_ms.obstacles += work.state().obstacles_ms;
     if (report.repaired_cells > 0 && step.kept) // their kept values are not visible
         keep();
@@ -158,9 +159,10 @@ class Cells::Solving {
 };
 
 void Cells::advance_second_order(float dt, Diagnostics& report) {
-    if (air.fresh && numerics::windrow_rehearses(report.cfl, report.substeps))
+    const bool has_past = !air.fresh;
+    if (!has_past && numerics::windrow_rehearses(report.cfl, report.substeps))
         rehearse(dt, report);
-    perform(dt, report);
+    perform(dt, pressure_solves(config_, has_past), report);
 }
 
 // The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2.
@@ -168,7 +170,7 @@ void Cells::advance_second_order(float dt, Diagnostics& report) {
 void Cells::rehearse(float dt, Diagnostics& report) {
     const float undiffused = air.undiffused_time;
     const glm::dvec3 phase = around_.phase();
-    perform(dt, report);
+    perform(dt, pressure_solves(config_, false), report);
     loads.forget_pressure();
     std::swap(air.velocity, air.velocity_old);
     for (std::size_t n = 0; n < air.velocity.size(); ++n)
@@ -181,7 +183,7 @@ void Cells::rehearse(float dt, Diagnostics& report) {
     work.state().ambient_cells = ambient_field_.data();
 }
 
-void Cells::perform(float dt, Diagnostics& report) {
+void Cells::perform(float dt, int solves, Diagnostics& report) {
     extend_into_bodies();
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = mix(diffuse(without_given_flow(), dt, report), dt, report);
@@ -237,7 +239,7 @@ void Cells::perform(float dt, Diagnostics& report) {
     {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         if (config_.stages.projection)
-            project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, report);
+            project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, solves, report);
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
     }
@@ -264,7 +266,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     carry_gusts();
     if (config_.stages.projection) {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
-        project_around(air.velocity_old, {}, 1.0f, report);
+        project_around(air.velocity_old, {}, 1.0f, pressure_solves(config_, true), report);
     }
     add_given_flow(air.velocity_old, 1.0f);
     bound_rooms(air.velocity, air.velocity_old);
@@ -287,10 +289,20 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     carry_gusts();
     if (config_.stages.projection) {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
-        project_around(air.velocity, {}, 1.0f, report);
+        project_around(air.velocity, {}, 1.0f, pressure_solves(config_, true), report);
     }
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
+}
+
+// Of a step in which bodies move, once they are placed for its first sub-step.
+void Cells::renew_sources(const CellStep& step, bool others, Diagnostics& report) {
+    if (others) {
+        sources.leave_out(inside_bodies());
+        seal_sources(step.motors, report);
+    }
+    if (step.renews_sources || (others && has_source_flow()))
+        renew_source_flow(step.motors);
 }
 
 // `other_obstacles`: they were placed anew in this step.
@@ -304,7 +316,8 @@ void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics&
         seal_sources(step.motors, report);
     if (acts_whole())
         act_whole(static_cast<float>(step.duration));
-    if (step.renews_sources || (other_obstacles && has_source_flow()))
+    // Around bodies that move, once they are placed.
+    if (!bodies_move_ && (step.renews_sources || (other_obstacles && has_source_flow())))
         renew_source_flow(step.motors);
 }
 
@@ -387,7 +400,8 @@ void Cells::add_given_flow(std::span<glm::vec4> field, float factor) {
 }
 
 // The guard reads every cell before anything spreads it; the CFL number is taken after the sources, in the largest component.
-void Cells::limit_speeds(float dt, Diagnostics& report) {
+void Cells::limit_speeds(const CellStep& step, Diagnostics& report) {
+    const auto dt = static_cast<float>(step.duration);
     Stopwatch watch("windrow sources", report.times_ms.sources);
     PlaneSurvey found = work.state().survey(&air.velocity[0].x);
     if (found.nonfinite_cells > 0) {
@@ -395,18 +409,20 @@ void Cells::limit_speeds(float dt, Diagnostics& report) {
         report.repaired_cells = found.nonfinite_cells;
         found = work.state().survey(&air.velocity[0].x);
     }
-    report.substeps = 1;
     work.state().fastest = found.largest_component + dt * sources.largest_force();
     if (box().rows && work.state().has_solids())
         work.state().fastest =
             work.state().fastest_by_rows(&air.velocity[0].x) + dt * sources.largest_force() * box().cell_size / box().finest();
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
+    report.substeps = std::max(step.substeps, 1);
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)
         return;
     const float wanted = std::ceil(report.cfl / config_.max_cfl);
-    report.substeps_capped = wanted > static_cast<float>(config_.max_substeps);
-    report.substeps = report.substeps_capped ? config_.max_substeps : static_cast<int>(wanted);
+    report.substeps_capped =
+        wanted > static_cast<float>(config_.max_substeps) && (step.substeps == 0 || step.substeps == config_.max_substeps);
+    if (step.substeps == 0)
+        report.substeps = report.substeps_capped ? config_.max_substeps : static_cast<int>(wanted);
     if (!report.substeps_capped)
         return;
     sources.limit_drives(fastest_carried(dt));

@@ -239,8 +239,27 @@ bool has_nanovdb() {
     return WINDROW_WITH_NANOVDB != 0;
 }
 
-bool detail::make_obstacle_room(VelocityGrid& grid) {
-    return windrow::detail::memory_lasts([&] { grid.obstacle.resize(grid.field.size()); });
+Result<VelocityGrid> grid_of(const WindControl& wind, const WindReader& air) {
+    const auto view = air.view();
+    if (!view)
+        return Error{view.error()};
+    const Box& box = view->box();
+    VelocityGrid grid{.cells = box.cells, .cell_size = box.cell_size, .origin = view->origin(), .field = view->field()};
+    grid.rows = box.rows;
+    grid.outside = view->ambient().without_gusts().velocity(view->origin() + 0.5 * view->window().size());
+    // What is read back may be a part of the box.
+    if (wind.obstacles().count() > 0 && box.cells == wind.box().cells) {
+        if (!windrow::detail::memory_lasts([&] { grid.obstacle.resize(grid.field.size()); }))
+            return windrow::detail::out_of_memory();
+        if (auto marked = air.write_obstacles(grid.obstacle); !marked)
+            return Error{marked.error()};
+    }
+    return grid;
+}
+
+VelocityGrid grid_of(const Wind& wind) {
+    auto made = grid_of(wind, wind);
+    return made ? *std::move(made) : VelocityGrid{.lacks_obstacle = true};
 }
 
 WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {

@@ -12,6 +12,7 @@
 #include "../api.h"
 #include "../box.h"
 #include "../result.h"
+#include "../wind.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -75,31 +76,11 @@ struct VelocityGrid {
 /// Name of the grid of floats that is 1 inside obstacles and 0 in the air.
 inline constexpr const char* k_obstacle_grid = "obstacle";
 
-namespace detail {
-/// Makes room for `obstacle`; false without memory.
-[[nodiscard]] WINDROW_API bool make_obstacle_room(VelocityGrid& grid);
-} // namespace detail
-
-/// The air of a Wind, or of anything that has box(), origin(), field() and ambient(). Good until its next step. With the cells
-/// inside obstacles of a source that has any, and write_obstacles().
-template <class Source>
-[[nodiscard]] VelocityGrid grid_of(const Source& wind) {
-    VelocityGrid grid;
-    grid.cells = wind.box().cells;
-    grid.cell_size = wind.box().cell_size;
-    if constexpr (requires { grid.rows = wind.box().rows; })
-        grid.rows = wind.box().rows;
-    grid.origin = wind.origin();
-    grid.field = wind.field();
-    if constexpr (requires { wind.view().ambient().without_gusts(); })
-        grid.outside = wind.view().ambient().without_gusts().velocity(wind.origin() + 0.5 * wind.view().window().size());
-    else
-        grid.outside = wind.ambient();
-    if constexpr (requires { wind.write_obstacles(std::span<float>()); })
-        if (wind.obstacles().count() > 0)
-            grid.lacks_obstacle = !detail::make_obstacle_room(grid) || !wind.write_obstacles(grid.obstacle);
-    return grid;
-}
+/// The air of a wind on either backend, with the cells inside its obstacles. Good until its next step or recording. The error says
+/// why no cells can be read.
+[[nodiscard]] WINDROW_API Result<VelocityGrid> grid_of(const WindControl& wind, const WindReader& air);
+/// The same on the CPU, which always has cells.
+[[nodiscard]] WINDROW_API VelocityGrid grid_of(const Wind& wind);
 
 enum class Form : std::uint8_t {
     one_vector,    ///< One grid of vectors, `name`: what Blender, Houdini and renderers look for first. The default.

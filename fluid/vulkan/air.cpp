@@ -400,7 +400,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const DiffusionMethod diffusion = diffusion_of(step.duration);
     const bool chosen = substeps > 1 && block.forced_substeps == 0; // by the device
     const bool rehearses = fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0;
-    const Passes::Around around = around_obstacles(step, false);
+    const Passes::Around around = around_obstacles(true);
     const Shapes shapes{diffusion, around};
     if (chosen && std::exchange(shapes_, shapes) != shapes)
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(passes_.substep(diffusion, around))));
@@ -432,13 +432,13 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         barrier(k_compute, k_compute);
     }
     if (rehearses)
-        substep(commands, passes_.substep(diffusion, around_obstacles(step, true)), -1, std::nullopt);
+        substep(commands, passes_.substep(diffusion, around_obstacles(false)), -1, std::nullopt);
     for (int n = 0; n < substeps; ++n) {
         if (bodies_move && n > 0) {
             place_obstacles(commands, step.obstacles, early(n));
             renew_layer(commands, step, true);
         }
-        const auto stages = passes_.substep(diffusion, fresh_ && n == 0 ? around_obstacles(step, true) : around);
+        const auto stages = passes_.substep(diffusion, rehearses && n == 0 ? around_obstacles(false) : around);
         const auto passes = static_cast<std::uint32_t>(stages.size());
         substep(commands, stages, n,
                 chosen && n > 0 ? std::optional((static_cast<std::uint32_t>(n) - 1) * passes) : std::nullopt);

@@ -223,7 +223,7 @@ class Air {
     [[nodiscard]] Result<void> make_room_for_obstacles(VkCommandBuffer commands);
     [[nodiscard]] Result<void> replace(Buffer& buffer, VkDeviceSize bytes);
     void work_on_rooms(VkCommandBuffer commands, int work);
-    [[nodiscard]] Passes::Around around_obstacles(const CellStep& step, bool fresh) const;
+    [[nodiscard]] Passes::Around around_obstacles(bool has_past) const;
     [[nodiscard]] Passes::Around around_sources() const;
     [[nodiscard]] bool rough() const { return config_.roughness && config_.stages.diffusion; }
     /// `placed`: the obstacles were placed anew.

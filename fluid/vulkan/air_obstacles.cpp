@@ -1,7 +1,4 @@
 // Obstacles on the device: the host rasterises them where they or the box have moved, and uploads the tables with the step.
-//
-// One direct solve a sub-step begins from the pressure of the last one. Two follow bodies that move or have come or gone. A flow
-// without a last step takes more, as on the CPU; the device stops where the residual is small.
 #include "fluid/message.h"
 #include "fluid/numerics.h"
 #include "fluid/vulkan/air.h"
@@ -194,32 +191,20 @@ void Air::renew_layer(VkCommandBuffer commands, const CellStep& step, bool place
     barrier(k_transfer, k_compute);
 }
 
-Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
+Passes::Around Air::around_obstacles(bool has_past) const {
     if (!solids_ || !solids_->any())
         return {};
-    const bool other = step.obstacles_stirred ||
-                       std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
-    Passes::Around around{.solves = other ? 2 : 1,
-                          .tolerance = 0.0f,
-                          .careful = solids_->careful(),
-                          .rooms = !solids_->solids().rooms().empty(),
-                          .loads = finds_forces()};
-    if (config_.pressure_solves > 0)
-        around.solves = config_.pressure_solves;
-    else if (fresh)
-        around.solves = cpu::k_first_solves, around.tolerance = cpu::k_first_residual;
-    return around;
+    return {.solves = pressure_solves(config_, has_past),
+            .careful = solids_->careful(),
+            .rooms = !solids_->solids().rooms().empty(),
+            .loads = finds_forces()};
 }
 
 // From no guess: the flow of a burst is another in each step.
 Passes::Around Air::around_sources() const {
     if (!solids_ || !solids_->any())
         return {};
-    return {.solves = cpu::k_first_solves,
-            .tolerance = cpu::k_first_residual,
-            .careful = false,
-            .rooms = false,
-            .loads = finds_forces()};
+    return {.solves = k_first_solves, .careful = false, .rooms = false, .loads = finds_forces()};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

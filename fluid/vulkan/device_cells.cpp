@@ -32,14 +32,11 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
     hold_gusts(); // with the old boundaries
     rest.filled = false;
     rest.disturb();
-    if (kinds)
-        speed_.note_unknown();
     new_sides_ = *std::move(prepared);
     return {};
 }
 
 void DeviceCells::record(const CellChange& change) {
-    speed_.note(change);
     if (commands_ != VK_NULL_HANDLE)
         air->apply(commands_, change);
     else
@@ -58,6 +55,12 @@ void DeviceCells::apply(const CellChange& change) {
     }
 }
 
+Result<void> DeviceCells::check(const Gusts& gusts) const {
+    if ((gusts.intensity > 0.0f || gusts.tile) && !air->holds_gusts())
+        return Error{"This wind was created without memory for gusts: set Settings::gusts, or give the config gusts."};
+    return {};
+}
+
 bool DeviceCells::hold_gusts() {
     if (std::exchange(held_at_, wind_.sleep.drift) == wind_.sleep.drift)
         return false;
@@ -73,8 +76,7 @@ bool DeviceCells::hold_gusts() {
 
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     hold_gusts();
-    rest.begin_tick(!step.motors.empty() || step.renews_sources, step.ambient->uniform());
-    speed_.note(rest.tick, step, wind_.box());
+    rest.begin_tick(step.tick, !step.motors.empty() || step.renews_sources, step.ambient->uniform());
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};
     if (dictated) {
@@ -102,8 +104,10 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
 }
 
 Air::Recorded DeviceCells::recording_of(const CellStep& step) const {
+    if (step.substeps > 0)
+        return {.substeps = step.substeps, .limits = step.substeps == wind_.config.max_substeps};
     const AirReport& report = read_backs_.report();
-    const double speed = speed_.after(read_backs_.tick(), report.largest_component, report.apart);
+    const double speed = wind_.speed.after(read_backs_.tick(), report.largest_component, report.apart);
     const auto substeps_in = [&](double time) {
         return std::ceil(speed * time / static_cast<double>(wind_.config.cell_size * wind_.config.max_cfl));
     };
@@ -151,7 +155,7 @@ bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
     air->begin(slot);
     commands_ = commands;
     blend.reset();
-    const bool waited = !queue_.empty() || new_sides_ || restored_;
+    const bool waited = waits();
     if (restored_)
         air->restore(commands, *std::move(restored_), wind_.ambient, wind_.window());
     restored_.reset();
@@ -167,12 +171,11 @@ void DeviceCells::end() {
     commands_ = VK_NULL_HANDLE;
 }
 
-void DeviceCells::continue_from(RestoredAir&& restored, std::span<const glm::vec4> velocity) {
+void DeviceCells::continue_from(RestoredAir&& restored) {
     air->make_room_to_restore();
     queue_.clear();
     queue_.make_room();
-    rest = {};
-    speed_.note({.kind = Kind::set, .ambient = wind_.ambient, .window = wind_.window(), .cells = velocity});
+    rest = {.tick = wind_.speed.tick()};
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

@@ -5,7 +5,6 @@
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/read_backs.h"
 #include "fluid/vulkan/saved_air.h"
-#include "fluid/vulkan/speed_bound.h"
 #include "fluid/vulkan/work_queue.h"
 
 #include <deque>
@@ -27,8 +26,8 @@ struct DeviceRest {
 
     /// Something acts before the next tick.
     void disturb() { disturbed_tick = tick + 1; }
-    void begin_tick(bool acts, bool steady) {
-        ++tick;
+    void begin_tick(std::uint64_t number, bool acts, bool steady) {
+        tick = number;
         if (acts)
             disturbed_tick = tick;
         left_alone = filled && disturbed_tick != tick && steady;
@@ -50,6 +49,13 @@ class DeviceCells final : public CellStorage {
     void apply(const CellChange& change) override;
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;
+    void show_air() override { shows_anew = true; }
+    [[nodiscard]] MeasuredSpeed measured() const override {
+        return {.tick = read_backs_.tick(), .largest = read_backs_.report().largest_component};
+    }
+    [[nodiscard]] Result<void> check(const Gusts& gusts) const override;
+    /// Changes wait for the next recording.
+    [[nodiscard]] bool waits() const { return !queue_.empty() || new_sides_ || restored_; }
 
     /// Records what waits, and from now on all changes. False where nothing waited.
     bool begin(VkCommandBuffer commands, int slot);
@@ -58,14 +64,15 @@ class DeviceCells final : public CellStorage {
     bool hold_gusts();
     /// Nothing that was recorded counts.
     void forget();
-    /// The next recording begins with this air; nothing else waits. `velocity`: its cells.
-    void continue_from(RestoredAir&& restored, std::span<const glm::vec4> velocity);
+    /// The next recording begins with this air; nothing else waits.
+    void continue_from(RestoredAir&& restored);
     /// The next tick that is not dictated yet is recorded so: of a replay.
     void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 
     std::unique_ptr<Air> air;
     DeviceRest rest;
     std::optional<float> blend; ///< the textures of this frame are to be written, so far between the ticks
+    bool shows_anew = false;    ///< the frame before the next is that frame: the wind was reset
 
   private:
     static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
@@ -82,7 +89,6 @@ class DeviceCells final : public CellStorage {
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     WorkQueue queue_;
     std::optional<RestoredAir> restored_; ///< of a loaded wind, until its first recording
-    SpeedBound speed_;
     std::deque<TickRecorded> dictated_;
     std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now

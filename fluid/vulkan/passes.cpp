@@ -371,7 +371,7 @@ void Passes::add_pressure(std::vector<Stage>& stages, int part, const Around& ar
         add_solve(stages, {Pass::modes_forward, Pass::columns, Pass::modes_back, pressure_columns_, part, n}, pressure_);
         if (around.solves > 0)
             stages.push_back({n == 0 ? Pass::residual : Pass::surface,
-                              WindrowSurfacePush{.substep = 0, .part = part, .solve = n, .tolerance = around.tolerance}});
+                              WindrowSurfacePush{.substep = 0, .part = part, .solve = n, .unused = 0}});
     }
 }
 

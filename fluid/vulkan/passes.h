@@ -119,7 +119,6 @@ class Passes {
     /// What a sub-step does for obstacles.
     struct Around {
         int solves = 0; ///< of the pressure; 0: there are none
-        float tolerance = 0.0f;
         bool careful = false, rooms = false, loads = false;
         friend bool operator==(const Around&, const Around&) = default;
     };

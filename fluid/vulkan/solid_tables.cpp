@@ -71,10 +71,11 @@ void SolidTables::flatten_ghosts() {
             const auto same =
                 std::find_if(terms_.begin() + static_cast<std::ptrdiff_t>(first), terms_.end(),
                              [&](const Term& other) { return other.cell == term.cell && other.normal == term.normal; });
-            if (same != terms_.end())
-                same->weight += term.weight;
-            else
-                terms_.push_back(term);
+            if (same == terms_.end())
+                return terms_.push_back(term);
+            const float weight = same->weight + term.weight; // a body that turns has another speed at each place
+            same->wall += term.weight / weight * (term.wall - same->wall);
+            same->weight = weight;
         };
         const float part = 1.0f / static_cast<float>(ghost.count);
         for (const cpu::Solids::GhostSource& source : sources.subspan(ghost.first, ghost.count)) {

@@ -16,7 +16,7 @@ Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Setting
     core.start();
 }
 
-Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Wind::Wind(std::unique_ptr<State> state) : WindControl(state->core), state_(std::move(state)) {}
 Wind::Wind(Wind&&) noexcept = default;
 Wind& Wind::operator=(Wind&&) noexcept = default;
 Wind::~Wind() = default;
@@ -129,69 +129,6 @@ bool Wind::collect(int slot) {
     return state_->collect(slot);
 }
 
-// --- Interface of windrow::Wind ------------------------------------------------------------------------------------------------
-
-Motors& Wind::motors() {
-    return state_->core.motors;
-}
-const Motors& Wind::motors() const {
-    return state_->core.motors;
-}
-Obstacles& Wind::obstacles() {
-    return state_->core.obstacles;
-}
-const Obstacles& Wind::obstacles() const {
-    return state_->core.obstacles;
-}
-Result<void> Wind::set_ambient(glm::vec3 ambient) {
-    return state_->core.set_ambient(ambient);
-}
-glm::vec3 Wind::ambient() const {
-    return state_->core.mean_wind();
-}
-Result<void> Wind::set_gusts(const Gusts& gusts) {
-    if ((gusts.intensity > 0.0f || gusts.tile) && !state_->cells.air->holds_gusts())
-        return Error{"This wind was created without memory for gusts: set Settings::gusts, or give the config gusts."};
-    return state_->core.set_gusts(gusts);
-}
-Result<void> Wind::set_boundaries(const Boundaries& boundaries) {
-    return state_->core.set_boundaries(boundaries);
-}
-Result<void> Wind::follow(glm::dvec3 point) {
-    return state_->core.follow(point);
-}
-Result<void> Wind::set_floor(double height) {
-    return state_->core.set_floor(height);
-}
-glm::dvec3 Wind::origin() const {
-    return state_->core.window().origin();
-}
-const Config& Wind::config() const {
-    return state_->core.config;
-}
-Box Wind::box() const {
-    return state_->core.box();
-}
-Result<void> Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
-    const Box box = this->box();
-    std::vector<glm::vec4> cells;
-    if (!windrow::detail::memory_lasts([&] { cells.resize(box.cell_count()); }))
-        return windrow::detail::out_of_memory();
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i)
-                cells[box.index(i, j, k)] = glm::vec4(velocity_at(state_->core.window().centre(i, j, k)), 0.0f);
-    return state_->core.set_velocity(cells);
-}
-Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
-    return state_->core.set_velocity(field);
-}
-void Wind::reset() {
-    state_->reset();
-}
-void Wind::record_to(EventLog* log) {
-    state_->core.record_to(log);
-}
 void Wind::forget() {
     state_->forget();
 }
@@ -348,8 +285,35 @@ Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
         return ObstacleForce{};
     return state.read_backs.force_on(*state.cells.air, id.slot, id.generation);
 }
+
+Result<void> Wind::write_obstacles(std::span<float> cells) const {
+    return state_->core.write_obstacles(cells);
+}
+
+Result<void> Wind::write_pressure(std::span<float>) {
+    return Error{"a device hands out no pressure: run the air on the CPU."};
+}
+
+Diagnostics Wind::diagnostics() const {
+    return state_->diagnostics();
+}
 Diagnostics Wind::reported() {
     return state_->reported();
+}
+bool Wind::waits() const {
+    return state_->cells.waits();
+}
+
+Result<WindView> Wind::read_view() const {
+    if (auto read = queried())
+        return *std::move(read);
+    return Error{
+        "no cells have come back yet: create the wind with settings.queries of cells or box, record and submit frames, and "
+        "ask again."};
+}
+
+Result<WindView> Wind::read_previous_view() const {
+    return Error{"the frame before is on the device alone: sample its textures in a shader."};
 }
 
 glm::vec3 Wind::velocity(glm::dvec3 position) const {

@@ -9,8 +9,8 @@
 //     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
 //                                                       // textures.h, for shaders/coupling/windrow_wind.glsl
 //
-// Config, motors, gusts, ticks, boundaries and step are those of windrow::Wind (fluid/wind.h documents each call), and
-// velocities are the same to rounding. Only sleep begins some frames later, when a read-back has shown that the air is still.
+// Config, ticks and step are those of windrow::Wind, and velocities are the same to rounding, with all defaults. Only sleep begins
+// some frames later, when a read-back has shown that the air is still.
 // It does not submit or wait: all work goes into the host's command buffer, to run on one queue in the order of
 // recording. Each recording is submitted once (else see `forget`). Changes between two frames are recorded with the next.
 #pragma once
@@ -106,7 +106,9 @@ struct ExportedImage {
     VkExtent3D extent{}; ///< [texels]; optimal tiling, usage k_image_usage
 };
 
-class WINDROW_API Wind {
+/// Motors, obstacles, what blows around the box and where it is: wind_control.h, whose changes are recorded with the next frame.
+/// What was read back: wind_reader.h.
+class WINDROW_API Wind : public WindControl, public WindReader {
   public:
     /// Makes all buffers, images and pipelines. Rejects what `windrow::validate` rejects, a device that lacks something, and a
     /// box that it cannot hold, each with the reason. The host's device outlives the wind.
@@ -134,33 +136,6 @@ class WINDROW_API Wind {
     /// submitted before runs to its end first, as always; its read-backs are not taken.
     void forget();
 
-    // --- As of windrow::Wind -----------------------------------------------------------------------------------------------
-    [[nodiscard]] Motors& motors();
-    [[nodiscard]] const Motors& motors() const;
-    /// Bodies that the air flows around. The host rasterises them where they or the box move, and device memory grows with what is
-    /// rasterised. Without memory for that a step does without them, and Diagnostics::out_of_memory says it.
-    [[nodiscard]] Obstacles& obstacles();
-    [[nodiscard]] const Obstacles& obstacles() const;
-    [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
-    [[nodiscard]] glm::vec3 ambient() const;
-    /// Gusts that begin after a wind without any need Settings::gusts.
-    [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
-    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
-    Result<void> follow(glm::dvec3 point);
-    Result<void> set_floor(double height);
-    [[nodiscard]] glm::dvec3 origin() const;
-    [[nodiscard]] Box box() const;
-    [[nodiscard]] const Config& config() const;
-    /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording's command
-    /// buffer. Without memory for them it fails and nothing changes.
-    Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
-    /// The same from an array laid out as box.h says; rejects another size.
-    Result<void> set_velocity(std::span<const glm::vec4> field);
-    /// Sets all cells to the ambient wind.
-    void reset();
-    /// As windrow::Wind::record_to. The log also has what the host decided for each tick by what was read back (TickRecorded).
-    void record_to(EventLog* log);
-
     // --- Snapshots ---------------------------------------------------------------------------------------------------------
     /// The bytes of windrow::Wind::save, of the last recording with Frame::save; once for each. They load here and on the CPU. A
     /// device does not hold the cells of the frame before the one saved: it is saved as that one. The error says why there are
@@ -175,17 +150,14 @@ class WINDROW_API Wind {
     /// Of the frame last recorded, and of the one before; after the first recording. Before it they hold nothing, in no layout.
     [[nodiscard]] Textures textures() const;
     [[nodiscard]] Textures previous_textures() const;
-    /// Their position relative to `anchor` [m].
-    [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
-    /// The same with the ambient wind: the uniform buffer of the include.
-    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
+    [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const override;
+    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const override;
     /// All textures of both sets, with Settings::export_textures; empty without it, and without host memory for the list. They
     /// keep their memory until the wind is destroyed.
     [[nodiscard]] std::vector<ExportedImage> exported_images() const;
     /// The storage buffer of the gust tile, for the include.
     [[nodiscard]] VkBuffer gust_buffer() const;
-    /// The ambient wind of this frame.
-    [[nodiscard]] const AmbientWind& ambient_wind() const;
+    [[nodiscard]] const AmbientWind& ambient_wind() const override;
 
     // --- For the host: what was read back ----------------------------------------------------------------------------------
     //
@@ -199,19 +171,26 @@ class WINDROW_API Wind {
     [[nodiscard]] std::optional<HalfView> queried_halves() const;
     /// The wind at the points of the last frame whose read-back is in, with ReadBack::points.
     [[nodiscard]] std::optional<PointWinds> queried_points() const;
-    /// As windrow::Wind::force_on, in the last tick whose read-back is in: frames_in_flight frames ago. A body that comes into the
-    /// box, and all bodies of a loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first
-    /// Settings::forces in the box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose
-    /// Settings::forces is 0.
-    [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const;
+    /// In the last tick whose read-back is in: frames_in_flight frames ago. A body that comes into the box, and all bodies of a
+    /// loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first Settings::forces in the
+    /// box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose Settings::forces is 0.
+    [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const override;
+    /// Obstacles where they are now, which the host rasterises for this call.
+    Result<void> write_obstacles(std::span<float> cells) const override;
+    /// Rejected: a device hands out no pressure.
+    Result<void> write_pressure(std::span<float> cells) override;
     /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
-    /// Diagnostics of the last tick that was read back, with any kind of read-back; stepped = false before the first. Cells that were repaired or limited are
-    /// reported once, here or by a recording.
+    /// Of the last tick that was read back, with any kind of read-back, without counts of cells.
+    [[nodiscard]] Diagnostics diagnostics() const override;
+    /// The same with the cells that were repaired or limited, which are reported once, here or by a recording.
     [[nodiscard]] Diagnostics reported();
-    /// [m/s] Wind at one world point as of `queried` or `queried_halves`, which it makes anew each time. The ambient wind of this
-    /// frame where there is neither: before the first, and where no cells are read back.
-    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
+    /// As of `queried` or `queried_halves`, which it makes anew each time. The ambient wind of this frame where there is neither:
+    /// before the first, and where no cells are read back.
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const override;
+    using WindReader::velocity;
+    /// Changes wait for the next recording: what was read back is not of now.
+    [[nodiscard]] bool waits() const;
 
     /// Dispatches and pipeline barriers of the last recording. Sub-steps that the device leaves out are counted: their dispatches
     /// have no work groups.
@@ -220,8 +199,7 @@ class WINDROW_API Wind {
     /// Times of the passes in the last recording that was read back, frames_in_flight frames ago; nothing before the first,
     /// without Settings::timestamps, and without memory for them.
     [[nodiscard]] std::optional<PassTimes> pass_times() const;
-    /// [bytes] Device memory in use.
-    [[nodiscard]] std::uint64_t memory_bytes() const;
+    [[nodiscard]] std::uint64_t memory_bytes() const override;
     /// [bytes] Device memory that was taken from the driver for it: `memory_bytes` and what alignment leaves free. Tables of other
     /// boundary kinds may take another MiB.
     [[nodiscard]] std::uint64_t reserved_bytes() const;
@@ -230,7 +208,7 @@ class WINDROW_API Wind {
     /// Ends the wind that was here: no recording of it is in flight.
     Wind& operator=(Wind&&) noexcept;
     /// No recording of it is in flight.
-    ~Wind();
+    ~Wind() override;
 
     struct State; // wind_state.h
     [[nodiscard]] State& state() { return *state_; }
@@ -238,6 +216,8 @@ class WINDROW_API Wind {
 
   private:
     explicit Wind(std::unique_ptr<State> state);
+    [[nodiscard]] Result<WindView> read_view() const override;
+    [[nodiscard]] Result<WindView> read_previous_view() const override;
     windrow::detail::Owned<State> state_;
 };
 

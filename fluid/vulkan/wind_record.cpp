@@ -50,6 +50,8 @@ bool Wind::State::write_textures(VkCommandBuffer commands) {
 }
 
 void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
+    if (std::exchange(cells.shows_anew, false)) // the frame before this one is this one too
+        textures.written = 0;
     textures.current ^= 1;
     if (textures.written < 2) // the set that no frame was written to yet
         cells.blend = cells.blend.value_or(1.0f);
@@ -100,12 +102,17 @@ bool Wind::State::collect(int number) {
     return taken && *taken;
 }
 
-Diagnostics Wind::State::reported() {
+Diagnostics Wind::State::diagnostics() const {
     Diagnostics diagnostics;
     diagnostics.stepped = read_backs.tick() > 0;
     read_backs.report_to(diagnostics, core.box());
-    read_backs.take_counts(diagnostics);
     return diagnostics;
+}
+
+Diagnostics Wind::State::reported() {
+    Diagnostics once = diagnostics();
+    read_backs.take_counts(once);
+    return once;
 }
 
 Result<Advance> Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
@@ -145,14 +152,9 @@ Result<Diagnostics> Wind::State::record_step(VkCommandBuffer commands, const Fra
     return done;
 }
 
-void Wind::State::reset() {
-    core.reset();
-    textures.written = 0; // the frame before the next is ambient too
-}
-
 void Wind::State::forget() {
     cells.forget();
-    reset();
+    core.reset();
     read_backs.forget();
     if (save && !save->done)
         save.reset();

@@ -113,8 +113,15 @@ Result<void> Wind::State::continue_from(windrow::Wind::State& from) {
     core.obstacles = std::move(from.core.obstacles);
     core.source_name = from.core.source_name;
     core.sleep = from.core.sleep;
+    core.speed = from.core.speed;
+    core.speed.note_read(from.cells.air.velocity, core.ambient, core.window());
     core.frames = from.core.frames;
-    cells.continue_from(*std::move(air), from.cells.air.velocity);
+    // Windows name the rows of their wind, and that one ends.
+    core.place.window.rows = core.rows.get();
+    core.obstacles.set_rows(core.rows.get());
+    if (core.frames)
+        core.frames->shown.window.rows = core.frames->shown_before.window.rows = core.rows.get();
+    cells.continue_from(*std::move(air));
     textures.written = 2; // by the first recording, before all else
     recorded.emplace(core.shown());
     recorded_before.emplace(core.frames ? core.frames->shown_before : core.shown());

@@ -47,8 +47,8 @@ struct WINDROW_HIDDEN Wind::State {
 
     [[nodiscard]] Result<Advance> record(VkCommandBuffer commands, const Frame& frame);
     [[nodiscard]] Result<Diagnostics> record_step(VkCommandBuffer commands, const Frame& frame);
-    void reset();
     bool collect(int slot);
+    [[nodiscard]] Diagnostics diagnostics() const;
     [[nodiscard]] Diagnostics reported();
     void forget();
     [[nodiscard]] RecordedFrame frame_now() const;

@@ -179,7 +179,7 @@ struct WindrowAround {
     float wanted;      // norm of the divergence at the surface before the solves
     float left;        // norm of the residual
     int solved;
-    int stopped;     // 1: below the tolerance
+    int stopped;     // 1: solved to rounding
     int corrections; // solves after the first
     // Of the groups that find the residual of the first solve: their sums, and how many are done.
     float wanted_parts[WINDROW_RESIDUAL_GROUPS], left_parts[WINDROW_RESIDUAL_GROUPS];
@@ -229,7 +229,7 @@ struct WindrowSurfacePush {
     int substep;
     int part; // as WindrowStagePush, of modes_forward
     int solve;
-    float tolerance; // residual at which they stop
+    int unused;
 };
 
 // loads.comp: what the pressure of a sub-step, or that of the sources, does to bodies.

@@ -78,6 +78,8 @@ void main() {
         u += wind_at(cell, elapsed() + control.substep_duration, true);
     }
     if (is_fresh()) {
+        if (record_is(record, WINDROW_INSIDE)) // deeper than a read's ghosts: the body's own, in both, as on the CPU
+            velocity[now(at)] = vec4(u, 0.0f);
         velocity[ago(at)] = vec4(2.0f * velocity[now(at)].xyz - u, 0.0f);
         return;
     }

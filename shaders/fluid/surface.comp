@@ -125,7 +125,7 @@ void improve(int local) {
         part += row_volume(cell.y) * around_words[word(s, k_residual)] * correction[cell_index(cell)];
     }
     const float squares = total(vec2(part, 0.0f)).x;
-    const bool goes_on = around.stopped == 0 && around.left > max(push.tolerance, 1e-6f) * around.wanted;
+    const bool goes_on = around.stopped == 0 && around.left > 1e-6f * around.wanted;
     const float beta = first || !goes_on ? 0.0f : squares / around.squares;
     for (int s = local; s < solids.surface_count; s += k_group) {
         const float along = correction[cell_index(surface_cell(s))], residual = around_words[word(s, k_residual)];

@@ -46,7 +46,7 @@ double largest_off_ambient(const Wind& wind) {
 
 // A strong motor for five steps; `calm_steps` before it, so that it meets a wind with or without a history.
 double blast_flicker(const Boundaries& boundaries, glm::vec3 ambient, int calm_steps, float acceleration) {
-    Config config{.boundaries = boundaries, .ambient = ambient, .relaxation_time = 0.0f, .max_cfl = 1e5f};
+    Config config{.boundaries = boundaries, .floor = -8.0, .ambient = ambient, .relaxation_time = 0.0f, .max_cfl = 1e5f};
     Wind wind = *Wind::create(config);
     const double dt = 1.0 / 60.0;
     if (calm_steps == 0)

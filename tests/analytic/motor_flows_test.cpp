@@ -22,7 +22,7 @@ constexpr double k_dt = 1.0 / 30.0;
 
 // A box of 1 m cells about the origin; no settling, no sleep.
 Wind wind_of(glm::ivec3 cells, glm::vec3 ambient = glm::vec3(0.0f), const Boundaries& boundaries = {}) {
-    Config config{.cells = cells, .boundaries = boundaries, .ambient = ambient};
+    Config config{.cells = cells, .boundaries = boundaries, .floor = -0.5 * cells.y, .ambient = ambient}; // about the origin
     config.relaxation_time = 0.0f;
     config.viscosity = 0.0f;
     config.blend_width = 0.0f;

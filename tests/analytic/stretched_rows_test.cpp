@@ -465,7 +465,7 @@ TEST(StretchedRows, AFloorRisesOverBodies) {
         take_steps(wind, 10, 0.05);
         ASSERT_TRUE(wind.write_obstacles(inside));
         Config there = config;
-        there.centre.y = wind.origin().y + 0.5 * wind.view().window().size().y;
+        there.floor = wind.origin().y;
         Wind other = made(there);
         ASSERT_NEAR(other.origin().y, wind.origin().y, 1e-9);
         build_on(other.obstacles(), 3.0);

@@ -71,6 +71,7 @@ TEST_F(Stories, SmallOnesAreWithinTheirBounds) {
         if (story.name == "storm") {
             EXPECT_GT(result->max_substeps, 1);
         }
+        WINDROW_EXPECT_FIGURE("stories.first_step." + story.name, result->first, story.first_bound);
         WINDROW_EXPECT_FIGURE("stories." + story.name, result->largest, story.bound);
     }
 }

@@ -52,7 +52,9 @@ bool a_line_of_its_own(glm::ivec3 cells, const Boundaries& boundaries) {
 }
 
 void run(Worst& worst, const Config& config, float rate, double (*dt_of)(int), int steps) {
-    Wind wind = made(config);
+    Config about_the_origin = config;
+    about_the_origin.floor = -0.5 * config.cells.y;
+    Wind wind = made(about_the_origin);
     ASSERT_TRUE(wind.set_velocity(white_noise(config.cells, 5.0f, 33)));
     drive(wind, glm::dvec3(0.1), {1.0f, 1.0f, -1.0f}, 20.0f, 2.0f, rate);
     Watch watch(wind, 20.0);

@@ -2,14 +2,17 @@
 """check_examples.py ROOT [--compiler CXX --headers FOLDER] [--program PATH]...: what README.md, CONTRIBUTING.md and docs/*.md show works.
 
 C++: each ```cpp block compiles, as a program or as a function's body, all in one translation unit. What a block needs before it is in
-an HTML comment above it, <!-- cpp ... -->. Commands: `windrow ...`, `windrow-draw ...` and `./dev ...` in code name existing
-subcommands and options, by the help of each PATH. Links: files and headings exist. Without --compiler or --program that part is left out.
+an HTML comment above it, <!-- cpp ... -->. A program is run with --link, and prints what a comment below it says,
+<!-- prints: REGULAR EXPRESSION -->. Commands: `windrow ...`, `windrow-draw ...` and `./dev ...` in code name existing
+subcommands and options, by the help of each PATH. Links: files and headings exist. Without --compiler, --link or --program that
+part is left out.
 """
 import argparse
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 BLOCK = re.compile(r"(?:<!-- cpp\n(?P<before>.*?)-->\s*)?^```cpp\n(?P<code>.*?)^```", re.DOTALL | re.MULTILINE)
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
@@ -48,6 +51,30 @@ def check_code(compiler, folders, texts, faults):
         errors = [line for line in run.stderr.splitlines() if "error:" in line]
         faults += errors or [run.stderr]
     return len(examples)
+
+
+def run_programs(compiler, folders, libraries, texts, faults):
+    """Runs each block that is a program of the core alone."""
+    count = 0
+    for page, text in texts.items():
+        for found in BLOCK.finditer(text):
+            if "int main(" not in found["code"]:
+                continue
+            where = f"{page}:{line_of(text, found.start('code'))}"
+            wanted = re.match(r"\s*<!-- prints: (.*?) ?-->", text[found.end():])
+            if not wanted:
+                faults.append(f"{where}: say what the program prints, in <!-- prints: ... --> below it")
+                continue
+            count += 1
+            with tempfile.TemporaryDirectory() as folder:
+                program = pathlib.Path(folder) / "program"
+                made = subprocess.run([compiler, "-std=c++20", "-O1", *(f"-I{each}" for each in folders), "-x", "c++", "-", "-x", "none",
+                                       *libraries, "-pthread", "-o", program],
+                                      input=(found["before"] or "") + found["code"], capture_output=True, text=True, check=False)
+                ran = made if made.returncode else subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+                if ran.returncode or not re.fullmatch(wanted[1], ran.stdout.strip()):
+                    faults.append(f"{where}: prints '{ran.stdout.strip()}', not '{wanted[1]}' {ran.stderr}")
+    return count
 
 
 # --- Commands --------------------------------------------------------------------------------------------------------------
@@ -138,6 +165,7 @@ def main():
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--compiler")
     parser.add_argument("--headers", type=pathlib.Path, help="folder in which the public headers are windrow/...")
+    parser.add_argument("--link", action="append", default=[], help="a library of the core")
     parser.add_argument("--program", action="append", default=[], help="windrow or windrow-draw")
     options = parser.parse_args()
     root = options.root.resolve()
@@ -146,6 +174,8 @@ def main():
     check_links(root, texts, faults)
     if options.compiler:
         done.append(f"{check_code(options.compiler, (options.headers, root), texts, faults)} blocks of C++")
+    if options.link:
+        done.append(f"{run_programs(options.compiler, (options.headers, root), options.link, texts, faults)} programs run")
     if options.program:
         programs = {pathlib.Path(program).name: known_options(program) for program in options.program}
         done.append(f"{check_commands(texts, programs, (root / 'dev').read_text(encoding='utf-8'), faults)} commands")

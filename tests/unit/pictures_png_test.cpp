@@ -88,7 +88,7 @@ TEST(HeightPictures, AreReadInFourKindsOfNumbers) {
     };
     const auto read = [&](const char* name) -> Result<std::vector<float>> {
         std::ofstream(folder / "scene.json") << R"({"obstacles": [{"shape": {"ground": {"file": ")" << name << "\"}}}]}";
-        const auto found = scene::read_scene(folder / "scene.json", pictures::read_heights);
+        const auto found = scene::read_scene(folder / "scene.json", {.heights = pictures::read_heights});
         if (!found)
             return Error{found.error()};
         return std::get<Ground>(found->obstacles[0].obstacle.shape).heights->data().heights;

@@ -1,5 +1,5 @@
 // Obstacles of a scene file: how they are read, and that a scene brings, moves, turns and removes them.
-#include "scene/scene_motion.h"
+#include "scene/scene_air.h"
 #include "scene/scene_reader.h"
 #include "tests/winds.h"
 
@@ -41,7 +41,7 @@ TEST(SceneObstacles, AreReadWithTheirDefaults) {
 
 TEST(SceneObstacles, BlockWhatPassesOrEndsInside) {
     const Scene scene = town();
-    const auto standing = SceneMotion(scene).standing(2.5);
+    const auto standing = SceneAir(scene).standing(2.5);
     ASSERT_EQ(standing.size(), 4u);
     const auto& house = standing[0]; // yawed by 90 degrees: half sizes 1, 2, 4 in the world, about 1, 2, 3
     EXPECT_TRUE(house.blocks({-3, 2, 6}, {5, 2, 6})) << "through it";
@@ -88,13 +88,13 @@ TEST(SceneObstacles, ComeMoveTurnAndGo) {
     const Scene scene = town();
     auto wind = Wind::create(scene.air);
     ASSERT_TRUE(wind) << wind.error();
-    SceneMotion motion(scene);
-    ASSERT_TRUE(motion.begin(*wind));
-    EXPECT_EQ(wind->obstacles().count(), 0);
+    SceneAir air(scene);
+    ASSERT_TRUE(air.begin(*wind));
+    EXPECT_EQ(wind->obstacles().count(), 3);
     std::vector<int> counts;
     std::vector<Obstacle> last;
     for (int tick = 0; tick < 8; ++tick) {
-        ASSERT_TRUE(motion.place(*wind, 0.5 * tick, 0.5 * (tick + 1)));
+        ASSERT_TRUE(air.advance_to(*wind, 0.5 * (tick + 1)));
         counts.push_back(wind->obstacles().count());
         if (tick == 2) // up to 1.5 s
             for (const Obstacles::Slot& slot : wind->obstacles().slots())

@@ -33,6 +33,55 @@ TEST(WindChanges, GustsBeginAndEndEverywhereAtOnce) {
     }
 }
 
+// Caught: a floor that hangs below its world, as it did where the box was centred on height 0.
+TEST(Floor, IsAtItsHeightAndTheWindOverItIsThatOfThePlace) {
+    for (const double floor : {0.0, 103.5, -7.0}) {
+        for (const double centre : {0.0, 40.0}) {
+            Wind wind = made({.boundaries = Boundaries::open_over_floor(),
+                              .centre = {5.0, centre, 0.0},
+                              .floor = floor,
+                              .ambient = {3.0f, 0.0f, 0.0f},
+                              .profile = LogProfile{}});
+            EXPECT_EQ(wind.origin().y, std::floor(floor + 0.5)) << "to whole cells";
+            EXPECT_EQ(wind.config().floor, floor);
+            take_steps(wind, 10, 1.0 / 30.0);
+            // 3 ln((z + z0) / z0) / ln((10 + z0) / z0) with z0 = .03 m is 1.48 m/s at half a metre, a cell's centre.
+            EXPECT_NEAR(wind.velocity({4.0, wind.origin().y + 0.5, 1.0}).x, 1.48f, 0.01f);
+        }
+    }
+    Wind wind = made({.boundaries = Boundaries::open_over_floor()});
+    ASSERT_TRUE(wind.set_floor(12.3));
+    EXPECT_EQ(wind.config().floor, 12.3);
+    EXPECT_EQ(wind.origin().y, 12.0);
+    Wind again = *Wind::load(*wind.save());
+    EXPECT_EQ(again.config().floor, 12.3);
+    EXPECT_EQ(again.origin(), wind.origin());
+    Wind open = made({.centre = {0.0, 40.0, 0.0}});
+    ASSERT_TRUE(open.set_boundaries(Boundaries::open_over_floor()));
+    EXPECT_EQ(open.config().floor, 32.0) << "the box stays where it is";
+    const auto none = Wind::create({.floor = std::nan("")});
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().find("floor"), std::string::npos) << none.error();
+}
+
+TEST(Floor, MotorsThatReachNoAirAreCounted) {
+    Wind wind = made({.boundaries = Boundaries::open_over_floor(), .follow_axes = glm::bvec3(false)});
+    const auto add = [&](glm::dvec3 position) { return *wind.motors().add(DirectionalMotor{.position = position}); };
+    const MotorId good = add({0.0, 2.0, 0.0});
+    EXPECT_EQ(wind.step(0.02).motors_lost, 0);
+    const MotorId under = add({0.0, -8.0, 0.0});
+    EXPECT_EQ(wind.step(0.02).motors_lost, 1) << "under the ground";
+    const MotorId far = add({90.0, 2.0, 0.0});
+    EXPECT_EQ(wind.step(0.02).motors_lost, 2) << "far outside of a box that stays";
+    ASSERT_TRUE(wind.motors().remove(good)); // and asleep
+    ASSERT_TRUE(wind.motors().move(under, {0.0, 1.0, 0.0}));
+    EXPECT_EQ(wind.step(0.02).motors_lost, 1);
+    Wind follows = made({.boundaries = Boundaries::open_over_floor()});
+    ASSERT_TRUE(follows.motors().add(DirectionalMotor{.position = {90.0, 2.0, 0.0}}));
+    EXPECT_EQ(follows.step(0.02).motors_lost, 0) << "the box may come there";
+    EXPECT_NE(far.generation, 0u);
+}
+
 TEST(WindChanges, AHitchWhileThePlayerRunsLeavesNoFalseGusts) {
     Wind wind = made({.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
     double time = 0.0;

@@ -44,6 +44,8 @@ class FakeCells final : public CellStorage {
         calls += 'v';
         shown = blend;
     }
+    void show_air() override { calls += 'r'; }
+    MeasuredSpeed measured() const override { return {.tick = last.tick, .largest = 3.0f}; }
     std::string take() { return std::exchange(calls, {}); }
 
     std::string calls;

@@ -21,6 +21,8 @@ namespace {
 
 using windrow::detail::message;
 
+static_assert(k_max_vertices == windrow::scene::k_max_mesh_vertices && k_max_triangles == windrow::scene::k_max_mesh_triangles);
+
 namespace fs = std::filesystem;
 using Coats = std::map<std::string, FurLine>;
 using windrow::detail::InputBudget;
@@ -86,41 +88,22 @@ Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& fold
     return read_gltf(path, *bytes, budget);
 }
 
-// The file's axes to ours: even permutations, which mirror nothing.
-glm::vec3 turned(const glm::vec3& v, UpAxis up) {
-    switch (up) {
-    case UpAxis::x:
-        return {-v.y, v.x, v.z};
-    case UpAxis::z:
-        return {v.x, v.z, -v.y};
-    default:
-        return v;
-    }
-}
-
 void turn(Soup& soup, const MeshLoad& load) {
-    const float yaw = glm::radians(load.yaw_deg), c = std::cos(yaw), s = std::sin(yaw);
-    const auto place = [&](const glm::vec3& v) {
-        const glm::vec3 w = turned(v, load.up);
-        return glm::vec3(c * w.x + s * w.z, w.y, c * w.z - s * w.x);
-    };
+    const windrow::scene::MeshTurn turn(load);
     for (SoupPart& part : soup)
         for (Corner& corner : part.corners) {
-            corner.position = place(corner.position);
-            corner.normal = place(corner.normal);
+            corner.position = turn(corner.position);
+            corner.normal = turn(corner.normal);
         }
 }
 
 // Scaled and stood up; how many metres one of the file's units became.
 float stand(Mesh& mesh, const MeshLoad& load) {
-    const glm::vec3 edges = mesh.high - mesh.low;
-    const float edge = load.size_of == SizeOf::height ? edges.y : std::max({edges.x, edges.y, edges.z});
-    const float scale = load.size / edge;
-    const glm::vec3 foot{(mesh.low.x + mesh.high.x) / 2.0f, mesh.low.y, (mesh.low.z + mesh.high.z) / 2.0f};
+    const windrow::scene::MeshStand stand(load, mesh.low, mesh.high);
     for (MeshVertex& vertex : mesh.vertices)
-        vertex.position = (vertex.position - foot) * scale;
+        vertex.position = stand(vertex.position);
     measure(mesh);
-    return scale;
+    return stand.scale;
 }
 
 Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optional<fs::path>& folder, InputBudget& budget) {

@@ -11,39 +11,17 @@
 #pragma once
 
 #include "fluid/input_budget.h"
+#include "scene/mesh_load.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>
 
 namespace windrow::vegetation::fur {
 
-enum class UpAxis { x, y, z };
+using windrow::scene::MeshLoad, windrow::scene::SizeOf, windrow::scene::UpAxis;
 
-/// What `size` is the length of.
-enum class SizeOf { longest_edge, height };
-
-struct MeshLoad {
-    UpAxis up = UpAxis::y;
-    float size = 1.0f;
-    SizeOf size_of = SizeOf::longest_edge;
-    float yaw_deg = 0.0f;
-    std::size_t max_triangles = k_max_triangles;
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("up", &MeshLoad::up,
-                    "Axis of the file that points up: y of glTF and of most OBJ files, z mostly of 3DS files."),
-            Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"},
-                    "Size to which the mesh is scaled, and a fur line's height with it."),
-            Setting("size_of", &MeshLoad::size_of, "The length that `size` sets."),
-            Setting("yaw_deg", &MeshLoad::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about y, seen from above counter-clockwise."),
-            Setting("max_triangles", &MeshLoad::max_triangles, {4.0, k_max_triangles}, "Files with more are simplified."),
-        };
-    }
-};
-
-/// [byte] Of one file; a mesh of `k_max_triangles` as text is about as long.
-inline constexpr std::size_t k_max_bytes = std::size_t{512} << 20;
+/// [byte] Of one file.
+inline constexpr std::size_t k_max_bytes = windrow::scene::k_max_mesh_bytes;
 
 /// It stands on y = 0, centred in x and z. Rejected with the file's name: no such file, not a mesh of these kinds, no triangles,
 /// bad indices, what is not finite, normals of length 0 beside others, more vertices, triangles or bytes than above, files beside
@@ -58,8 +36,3 @@ inline constexpr std::size_t k_max_bytes = std::size_t{512} << 20;
 [[nodiscard]] Result<void> validate(const MeshLoad& load);
 
 } // namespace windrow::vegetation::fur
-
-template <>
-inline constexpr std::array<const char*, 3> windrow::k_words<windrow::vegetation::fur::UpAxis>{"x", "y", "z"};
-template <>
-inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::fur::SizeOf>{"longest_edge", "height"};

@@ -14,6 +14,8 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
         if (!wind)
             return Error{wind.error()};
         made.cpu_ = *std::move(wind);
+        made.control_ = &made.cpu_->air();
+        made.reader_ = &made.cpu_->air();
         return made;
     }
     using windrow::vulkan::ReadBack;
@@ -23,24 +25,10 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
                                                .queries = settings.queries ? ReadBack::cells : ReadBack::none});
     if (!wind)
         return Error{wind.error()};
-    made.device_ = *std::move(wind);
+    made.device_ = std::make_unique<windrow::vulkan::Wind>(*std::move(wind));
+    made.control_ = made.device_.get();
+    made.reader_ = made.device_.get();
     return made;
-}
-
-Motors& Air::motors() {
-    return cpu_ ? cpu_->air().motors() : device_->motors();
-}
-Obstacles& Air::obstacles() {
-    return cpu_ ? cpu_->air().obstacles() : device_->obstacles();
-}
-Result<void> Air::follow(glm::dvec3 point) {
-    return cpu_ ? cpu_->air().follow(point) : device_->follow(point);
-}
-Result<void> Air::set_floor(double height) {
-    return cpu_ ? cpu_->air().set_floor(height) : device_->set_floor(height);
-}
-void Air::reset() {
-    return cpu_ ? cpu_->air().reset() : device_->reset();
 }
 
 Result<void> Air::record(const engine::Frame& frame, double dt) {
@@ -58,26 +46,6 @@ Result<void> Air::record(const engine::Frame& frame, double dt) {
 
 engine::SampledWind Air::sampled() const {
     return cpu_ ? engine::SampledWind(*cpu_) : engine::SampledWind(*device_);
-}
-
-const Config& Air::config() const {
-    return cpu_ ? cpu_->config() : device_->config();
-}
-Box Air::box() const {
-    return cpu_ ? cpu_->air().box() : device_->box();
-}
-glm::dvec3 Air::origin() const {
-    return cpu_ ? cpu_->air().origin() : device_->origin();
-}
-glm::vec3 Air::velocity(glm::dvec3 place) const {
-    return cpu_ ? cpu_->air().velocity(place) : device_->velocity(place);
-}
-
-void Air::velocity(std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) const {
-    if (const auto view = cpu_ ? cpu_->air().view() : device_->queried())
-        view->velocity(places, velocities);
-    else
-        std::fill(velocities.begin(), velocities.end(), device_->ambient());
 }
 
 std::optional<windrow::vulkan::PassTimes> Air::pass_times() const {

@@ -8,7 +8,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 
 namespace windrow::vegetation::program {
 
@@ -21,29 +20,19 @@ struct AirSettings {
     bool queries = false;             ///< `velocity` is asked: a wind on the device reads its cells back each frame
 };
 
-/// A windrow::scene::MovableWind.
 class Air {
   public:
     /// Rejects what the wind rejects. The device outlives it.
     [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings);
 
-    [[nodiscard]] Motors& motors();
-    [[nodiscard]] Obstacles& obstacles();
-    Result<void> follow(glm::dvec3 point);
-    Result<void> set_floor(double height);
-    void reset();
+    [[nodiscard]] WindControl& control() { return *control_; }
+    /// On the CPU of the last frame; on the device of the last one that was read back, k_frames_in_flight before.
+    [[nodiscard]] const WindReader& reader() const { return *reader_; }
+    [[nodiscard]] const WindControl& control() const { return *control_; }
 
     /// The next `dt` [s], in ticks.
     Result<void> record(const engine::Frame& frame, double dt);
     [[nodiscard]] engine::SampledWind sampled() const;
-
-    [[nodiscard]] const Config& config() const;
-    [[nodiscard]] Box box() const;
-    [[nodiscard]] glm::dvec3 origin() const;
-    /// [m/s] On the CPU of the last frame. On the device of the last one that was read back, k_frames_in_flight before; the
-    /// ambient wind before the first.
-    [[nodiscard]] glm::vec3 velocity(glm::dvec3 place) const;
-    void velocity(std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) const;
 
     [[nodiscard]] Backend backend() const { return cpu_ ? Backend::cpu : Backend::vulkan; }
     /// [us] The last frame's steps by the wall's clock; 0 on the device, whose own clock times them.
@@ -56,9 +45,11 @@ class Air {
   private:
     Air() = default;
 
-    std::optional<windrow::vulkan::Wind> device_{}; ///< this, or the next two
+    std::unique_ptr<windrow::vulkan::Wind> device_{}; ///< this, or the next two
     std::unique_ptr<ThreadPool> threads_{};
     std::unique_ptr<engine::CpuWind> cpu_{};
+    WindControl* control_ = nullptr; ///< of either
+    WindReader* reader_ = nullptr;
     double cpu_us_ = 0.0;
 };
 

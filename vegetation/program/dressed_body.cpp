@@ -201,13 +201,6 @@ void DressedBodies::append_to(std::vector<render::Drawable*>& drawables) const {
             drawables.push_back(coat.get());
 }
 
-std::vector<BodyBox> DressedBodies::boxes() const {
-    std::vector<BodyBox> all;
-    for (const Dressed& dressed : dressed_)
-        all.push_back({.low = dressed.model.mesh.low, .high = dressed.model.mesh.high});
-    return all;
-}
-
 std::vector<const fur::Coat*> DressedBodies::coats() const {
     std::vector<const fur::Coat*> all;
     for (const Dressed& dressed : dressed_)

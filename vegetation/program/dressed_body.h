@@ -6,7 +6,6 @@
 #pragma once
 
 #include "vegetation/fur/coat.h"
-#include "vegetation/program/body_wakes.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/renderer.h"
 
@@ -48,8 +47,6 @@ class DressedBodies {
     /// What keeps up in frames that are not drawn.
     void append_to(std::vector<render::Drawable*>& drawables) const;
     [[nodiscard]] bool empty() const { return dressed_.empty(); }
-    /// Boxes of all bodies' meshes, in the scene's order.
-    [[nodiscard]] std::vector<BodyBox> boxes() const;
     /// Coats of all bodies, in the scene's order.
     [[nodiscard]] std::vector<const fur::Coat*> coats() const;
 

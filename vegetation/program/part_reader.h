@@ -26,7 +26,6 @@ void read_part(JsonObject object, MaskSource& mask, Surroundings& around);
 void read_part(JsonObject object, GrassSource& layer, Surroundings& around);
 void read_part(JsonObject object, StandSource& stand, Surroundings& around);
 void read_part(JsonObject object, Walker& walker, Surroundings& around);
-void read_part(JsonObject object, Jump& jump, Surroundings& around);
 void read_part(JsonObject object, Fan& fan, Surroundings& around);
 void read_part(JsonObject object, MeshSource& mesh, Surroundings& around);
 void read_part(JsonObject object, BodySkeleton& skeleton, Surroundings& around);

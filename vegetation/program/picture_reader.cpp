@@ -3,14 +3,15 @@
 #include "pictures/picture_files.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
+#include "scene/picture_air.h"
 #include "scene/scene_reader.h"
 #include "scene/text_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/program/part_reader.h"
 #include "vegetation/trees/tree_presets.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <memory>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -82,6 +83,27 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
     return picture;
 }
 
+/// The box of a mesh that is no OBJ.
+windrow::Result<windrow::scene::BodyBox> read_box(const std::filesystem::path& file, const fur::MeshLoad& load,
+                                                  const std::filesystem::path& folder, windrow::detail::InputBudget& budget) {
+    const auto mesh = fur::read_mesh(file, load, folder, budget);
+    return mesh ? windrow::Result(windrow::scene::BodyBox{mesh->low, mesh->high}) : windrow::Error{mesh.error()};
+}
+
+/// What the air needs of a picture that was read without a fault from `value`.
+windrow::scene::PictureAir air_of(const Picture& picture, const json& value) {
+    windrow::scene::PictureAir air{.ground = picture.ground, .walkers = picture.walkers};
+    for (const Body& body : picture.bodies) {
+        const json& own = value["bodies"][air.bodies.size()];
+        air.bodies.push_back({.name = body.name,
+                              .place = body.place,
+                              .motion = body.motion,
+                              .dressed = !body.coats.empty(),
+                              .mesh = own.contains("mesh") ? &own["mesh"] : nullptr});
+    }
+    return air;
+}
+
 windrow::Result<PictureScene> read_text(std::string_view text, const std::filesystem::path& file,
                                         windrow::detail::InputBudget& budget, std::vector<windrow::scene::KnownKey>* known) {
     const auto document = windrow::scene::parse_json(text, file.string());
@@ -98,15 +120,12 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     Picture picture = read_picture(object, around);
     if (!air)
         return windrow::Error{log.faults() > 0 ? air.error() + "\n" + log.error().message : air.error()};
-    PictureScene scene{.air = *std::move(air), .picture = std::move(picture), .inputs = budget};
-    if (const GroundSource& ground = scene.picture.ground; ground.in_air && ground.heights) {
-        windrow::scene::SceneObstacle& body = scene.air.obstacles.emplace_back();
-        body.name = "ground";
-        body.obstacle.position = ground.corner;
-        body.obstacle.shape = windrow::Ground{std::make_shared<const windrow::HeightMap>(*ground.heights)};
-    }
-    if (log.faults() == 0)
+    PictureScene scene{.air = *std::move(air), .picture = std::move(picture)};
+    if (log.faults() == 0) {
+        windrow::scene::add_picture_air(scene.air, air_of(scene.picture, object.value()), log, read_box);
         judge(scene, object);
+    }
+    scene.inputs = budget;
     if (log.faults() > 0)
         return log.error();
     return scene;
@@ -137,26 +156,13 @@ void read_part(JsonObject object, StandSource& stand, Surroundings& around) {
         check_read(object, stand);
 }
 
-void read_part(JsonObject object, Jump& jump, Surroundings&) {
-    const std::size_t faults_before = object.log().faults();
-    read_settings(object, jump, [&](const auto& row, auto& member) {
-        if constexpr (std::same_as<decltype(member), double&>)
-            member = object.required_number({row.name, row.meaning}, row.range);
-        return std::same_as<decltype(member), double&>;
-    });
-    object.finish();
-    if (!(jump.from < jump.until) && object.log().faults() == faults_before)
-        object.reject("until",
-                      "is " + figure(jump.until) + " s, not after \"from\", " + figure(jump.from) + " s: give a later time.");
+void read_part(JsonObject object, GroundSource& ground, Surroundings& around) {
+    windrow::scene::read_ground(std::move(object), ground, around.folder);
+    around.extent = ground.heights->extent();
 }
 
 void read_part(JsonObject object, Walker& walker, Surroundings& around) {
-    read_parts(object, walker, around, [&](const auto& row, auto& member) {
-        if constexpr (std::same_as<decltype(member), std::size_t&>)
-            member = object.name({row.name, row.meaning}, around.paths, "paths", true).value_or(0);
-        return std::same_as<decltype(member), std::size_t&>;
-    });
-    object.finish();
+    windrow::scene::read_walker(std::move(object), walker, around.paths);
 }
 
 void read_part(JsonObject object, Fan& fan, Surroundings&) {

@@ -4,7 +4,7 @@
 //     auto meadow = program::read_picture_scene("meadow.json");
 //     if (!meadow)
 //         return std::fprintf(stderr, "%s\n", meadow.error().c_str()), 2;       // every fault, a line each
-//     windrow::scene::SceneMotion motion(meadow->air);                           // what moves in the air
+//     windrow::scene::SceneAir air(meadow->air);                                 // the air, as `windrow run` plays it
 //     const render::Camera eye = program::camera_at(*meadow, time);
 //
 // Every key with its unit, default and range: examples/scenes/scene.schema.json, which a test holds to the reader.
@@ -12,8 +12,9 @@
 
 #include "coupling/ground_config.h"
 #include "fluid/input_budget.h"
-#include "fluid/shapes/height_map.h"
+#include "scene/ground_source.h"
 #include "scene/scene.h"
+#include "scene/walker.h"
 #include "vegetation/grass/grass_settings.h"
 #include "vegetation/grass/mask_patterns.h"
 #include "vegetation/grass/placement_mask.h"
@@ -30,6 +31,8 @@
 #include <vector>
 
 namespace windrow::vegetation::program {
+
+using windrow::scene::GroundSource, windrow::scene::Walker;
 
 struct CameraSource {
     render::Camera lens{};
@@ -48,58 +51,6 @@ struct CameraSource {
                     "Whether heights of position and target, or of their paths, count from the ground below each."),
         };
     }
-};
-
-/// Rolling ground by chance: the place noise of shaders/numerics in three octaves.
-struct Hills {
-    double height = 0.0;
-    double length = 80.0;
-    std::uint32_t seed = 0;
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("height", &Hills::height, {0.0, 1e4, "m", "level"}, "From the lowest possible place to the highest."),
-            Setting("length", &Hills::length, {1.0, 1e5, "m"},
-                    "Cell size of the largest octave, about half of the distance between two hilltops."),
-            Setting("seed", &Hills::seed, k_seed_range, "Another number, other hills, of 64 kinds."),
-        };
-    }
-
-    /// [m] At a place from the ground's corner, 0 to `height`.
-    [[nodiscard]] float at(glm::vec2 place) const;
-};
-
-struct GroundSource {
-    std::string file{};
-    Hills hills{};
-    double low = 0.0;
-    double high = 100.0;
-    glm::dvec3 corner{-50.0, 0.0, -50.0};
-    glm::dvec2 extent{100.0};
-    bool in_air = false;
-    std::optional<HeightMap> heights{};
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("heights", &GroundSource::file,
-                    "Binary PGM of 8 or 16 bits in the scene's folder, named relative to it, first row at the lowest z; at most "
-                    "4097 pixels a side, which the extent must make square. Default: level at low."),
-            Setting("hills", &GroundSource::hills, "Rolling random ground, upon the heights or upon low."),
-            Setting("low", &GroundSource::low, {-1e5, 1e5, "m"}, "Height of black."),
-            Setting("high", &GroundSource::high, {-1e5, 1e5, "m"}, "Height of white, above low."),
-            Setting("corner", &GroundSource::corner, render::k_place_range,
-                    "Place of the first sample; its y is added to all heights."),
-            Setting("extent", &GroundSource::extent, {0.01, 1e5, "m"},
-                    "Along x and z. Without heights: in a ratio of whole numbers."),
-            Setting("in_air", &GroundSource::in_air,
-                    "Whether the air flows over it, as over an obstacle of the shape ground. The box's floor is below it then."),
-            Setting("heights", &GroundSource::heights,
-                    "The resulting heights, above corner.y. Always there in a scene that was read.", k_not_stored),
-        };
-    }
-
-    /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
-    [[nodiscard]] double height(double x, double z) const;
 };
 
 struct Stroke {
@@ -148,50 +99,6 @@ struct GrassSource {
                     "Placement of the layer: alpha 0 is no blade, between 0 and 1 blades are as much smaller."),
         };
     }
-};
-
-/// A time at which a walker's feet leave the ground, as a jump does: on a parabola.
-struct Jump {
-    double from = 0.0;
-    double until = 0.0;
-    float height = 1.0f;
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("from", &Jump::from, {-1e9, 1e9, "s"}, "When the feet leave the ground."),
-            Setting("until", &Jump::until, {-1e9, 1e9, "s"}, "Later than from."),
-            Setting("height", &Jump::height, {0.0, 100.0, "m"}, "Of the feet in its middle."),
-        };
-    }
-};
-
-/// Who presses the grass down.
-struct Walker {
-    std::size_t path = 0;
-    float radius = windrow::GroundWalker{}.radius;
-    float weight = windrow::GroundWalker{}.weight;
-    std::vector<Jump> airborne{};
-    bool figure = true;
-    bool wake = true;
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("path", &Walker::path, "Name of the path that it walks on; x and z count."),
-            Setting("radius", &Walker::radius, Range::above(0.0, 100.0, "m"), "Radius of its effect."),
-            Setting("weight", &Walker::weight, k_fraction_range, "0: presses nothing; 1: all of ground_memory.push."),
-            Setting("airborne", &Walker::airborne, {0.0, 1024.0},
-                    "Times at which its feet leave the ground, on a parabola as a jump does."),
-            Setting("figure", &Walker::figure,
-                    "Whether a person in a cloak is drawn there, who walks or runs at the speed of the path."),
-            Setting(
-                "wake", &Walker::wake,
-                "Whether it carries the air along where it moves, as a wake of its size; without a figure a ball of its radius. "
-                "A wake or an obstacle of the scene on the same path replaces this."),
-        };
-    }
-
-    /// [m] Height of the feet above the ground.
-    [[nodiscard]] float foot_height(double time) const;
 };
 
 /// A fan that is drawn; what it blows is a motor of the scene's.

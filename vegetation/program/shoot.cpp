@@ -22,8 +22,8 @@ glm::mat4 placed_at(const windrow::Obstacle& obstacle, glm::dvec3 anchor) {
 
 Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
     : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
-      size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)), motion_(scene.air) {
-}
+      size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
+      scene_air_(scene.air) {}
 
 Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const ShootSettings& settings) {
     std::unique_ptr<Shoot> made(new Shoot(scene, settings));
@@ -58,9 +58,8 @@ Result<void> Shoot::make() {
     if (!wind)
         return Error{"$.air: " + wind.error()};
     air_ = *std::move(wind);
-    if (auto placed = motion_.begin(*air_); !placed)
-        return placed;
-    air_->reset(); // filled in before the floor stood where it belongs
+    if (auto begun = scene_air_.begin(air_->control()); !begun)
+        return begun;
 
     render::Scene scene;
     scene.camera = camera_at(scene_, 0.0);
@@ -102,7 +101,6 @@ Result<void> Shoot::make() {
         return Error{dressed.error()};
     dressed_ = *std::move(dressed);
     dressed_->add_to(*renderer_);
-    wakes_ = BodyWakes(scene_, dressed_->boxes());
     auto figures = Figures::create(*device_, targets, scene_, anchor_);
     if (!figures)
         return Error{figures.error()};
@@ -233,7 +231,7 @@ Result<void> Shoot::make_obstacles(const render::DrawTargets& targets) {
 void Shoot::place_obstacles(double time) {
     if (!obstacles_)
         return;
-    const auto standing = motion_.standing(time);
+    const auto standing = scene_air_.standing(time);
     for (std::size_t n = 0; n < moving_.size(); ++n) {
         const auto* const body = &scene_.air.obstacles[moving_[n]];
         const auto found = std::find_if(standing.begin(), standing.end(), [&](const auto& one) { return one.obstacle == body; });
@@ -262,7 +260,7 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     case Show::slice:
         break;
     }
-    const windrow::Config& air = air_->config();
+    const windrow::Config& air = air_->control().config();
     render::WindArrowSettings view;
     view.form = settings_.show == Show::slice ? render::WindArrowSettings::Form::slice : render::WindArrowSettings::Form::arrows;
     const bool slice = view.form == render::WindArrowSettings::Form::slice;
@@ -279,8 +277,8 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
 }
 
 Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
-    const windrow::Box box = air_->box();
-    const render::StreakBox held{air_->origin(), glm::dvec3(box.size())};
+    const windrow::Box box = air_->control().box();
+    const render::StreakBox held{air_->control().origin(), glm::dvec3(box.size())};
     auto made = render::WindStreaks::create(*device_, targets, {}, held);
     if (!made)
         return Error{made.error()};
@@ -290,18 +288,19 @@ Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
 }
 
 void Shoot::move_figures(double time, double seconds) {
-    figures_->move(time, seconds, [&](glm::dvec3 place) { return settings_.wind ? air_->velocity(place) : glm::vec3(0.0f); });
+    figures_->move(time, seconds,
+                   [&](glm::dvec3 place) { return settings_.wind ? air_->reader().velocity(place) : glm::vec3(0.0f); });
 }
 
 void Shoot::move_streaks(double time, double seconds) {
     if (!streaks_)
         return;
-    const auto standing = motion_.standing(time);
+    const auto standing = scene_air_.standing(time);
     const auto blocked = [&](const glm::dvec3& from, const glm::dvec3& to) {
         return std::any_of(standing.begin(), standing.end(), [&](const auto& body) { return body.blocks(from, to); });
     };
     const auto velocity = [&](std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) {
-        air_->velocity(places, velocities);
+        air_->reader().velocity(places, velocities);
     };
     streaks_->advance(seconds, velocity, blocked);
 }
@@ -318,19 +317,13 @@ Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
     return ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
 }
 
-Result<void> Shoot::place_motion(double start, double end) {
-    if (auto placed = motion_.place(*air_, start, end); !placed)
-        return placed;
-    return wakes_.place(air_->motors(), start, end);
-}
-
 Result<void> Shoot::record_air(const engine::Frame& frame, double dt) {
     return air_->record(frame, settings_.wind ? dt : 0.0);
 }
 
 Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
     if (settings_.wind)
-        if (auto placed = place_motion(start, end); !placed)
+        if (auto placed = scene_air_.advance_to(air_->control(), end); !placed)
             return placed;
     if (auto recorded = record_air(frame, end - start); !recorded)
         return recorded;
@@ -362,24 +355,22 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
 }
 
 Result<void> Shoot::warm_up() {
-    const double step = 1.0 / frames_per_second_;
-    const auto steps =
-        static_cast<std::int64_t>(std::ceil(settings_.warm_up.value_or(scene_.picture.warm_up) * frames_per_second_));
-    for (std::int64_t n = 0; n < steps; ++n) {
-        if (auto placed = place_motion(0.0, 0.0); !placed)
-            return placed;
+    const auto step = [&](double dt, std::int64_t left) -> Result<void> {
         const auto frame = frames_->begin();
         if (!frame)
             return Error{frame.error()};
-        auto walked = record_air(*frame, step);
+        auto walked = record_air(*frame, dt);
         if (walked)
             walked = walk(*frame, 0.0, 0.0);
         if (walked)
-            walked = swing(*frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
+            walked = swing(*frame, dt * static_cast<double>(-left), dt); // bodies come along to where they begin
         const auto submitted = frames_->submit(*frame);
-        if (!walked || !submitted)
-            return walked ? submitted : walked;
-    }
+        return walked ? submitted : walked;
+    };
+    if (auto warmed =
+            scene_air_.warm_up(air_->control(), settings_.warm_up.value_or(scene_.picture.warm_up), frames_per_second_, step);
+        !warmed)
+        return warmed;
     return frames_->wait();
 }
 

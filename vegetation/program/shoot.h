@@ -12,7 +12,7 @@
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
-#include "scene/scene_motion.h"
+#include "scene/scene_air.h"
 #include "vegetation/program/air.h"
 #include "vegetation/program/dressed_body.h"
 #include "vegetation/program/figures.h"
@@ -96,8 +96,6 @@ class Shoot {
     void move_figures(double time, double seconds);
     windrow::Result<void> make_obstacles(const render::DrawTargets& targets);
     void place_obstacles(double time);
-    /// What moves, put where it is in the time [s] from one to the other.
-    windrow::Result<void> place_motion(double start, double end);
     /// The air's next `dt` [s].
     windrow::Result<void> record_air(const engine::Frame& frame, double dt);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
@@ -120,8 +118,7 @@ class Shoot {
     glm::dvec3 anchor_{0.0};
     std::unique_ptr<engine::Device> device_{};
     std::optional<Air> air_{};
-    windrow::scene::SceneMotion motion_;
-    BodyWakes wakes_{};
+    windrow::scene::SceneAir scene_air_;
     std::optional<windrow::vulkan::GroundMemory> ground_{};
     std::unique_ptr<render::Renderer> renderer_{};
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};

@@ -39,11 +39,7 @@ class CpuWind {
     [[nodiscard]] vulkan::Textures previous_textures() const {
         return {.vectors = {images_[1 - now_].image, images_[1 - now_].view}};
     }
-    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const {
-        return air_.frame_block(anchor, sampling);
-    }
     [[nodiscard]] VkBuffer gust_buffer() const { return tile_; }
-    [[nodiscard]] const Config& config() const { return air_.config(); }
     /// [bytes] Device memory; it is the device's own (Device::memory_bytes).
     [[nodiscard]] std::uint64_t memory_bytes() const { return objects_.memory_bytes(); }
 

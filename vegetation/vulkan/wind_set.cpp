@@ -32,19 +32,19 @@ VkSampler WindSet::sampler(const Boundaries& boundaries) {
 }
 
 VkDescriptorSet WindSet::of(int slot, const SampledWind& wind, glm::dvec3 anchor, const Sampling& sampling) {
-    const vulkan::Textures now = wind.textures();
+    const vulkan::Textures now = wind.textures;
     if (now.vectors.view == VK_NULL_HANDLE)
         throw Failure("the wind has no texture of four components: create it with Settings::textures vectors or both.");
     // The frame that used this slot before is done: its block and its set are free to be written.
     const Buffer& block = blocks_[static_cast<std::size_t>(slot)];
     const VkDescriptorSet set = sets_[static_cast<std::size_t>(slot)];
-    const FrameBlock content = wind.frame_block(anchor, sampling);
+    const FrameBlock content = wind.reader->frame_block(anchor, sampling);
     std::memcpy(block.mapped, &content, sizeof content);
     const vulkan::SetWrites writes(set, {.now = now,
-                                         .before = wind.previous_textures(),
-                                         .sampler = sampler(wind.boundaries()),
+                                         .before = wind.previous_textures,
+                                         .sampler = sampler(wind.boundaries),
                                          .block = {block.buffer, 0, sizeof content},
-                                         .tile = wind.gust_buffer()});
+                                         .tile = wind.gust_buffer});
     vkUpdateDescriptorSets(objects_.device().handle(), writes.size(), writes.data(), 0, nullptr);
     return set;
 }

@@ -9,26 +9,20 @@
 
 namespace windrow::vegetation::engine {
 
-/// A wind that shaders sample, on the device or on the CPU: what functions take that record a frame. The wind outlives it.
-class SampledWind {
-  public:
-    SampledWind(const vulkan::Wind& wind) : device_(&wind) {}
-    SampledWind(const CpuWind& wind) : cpu_(&wind) {}
+/// A wind that shaders sample, on the device or on the CPU, in the frame last recorded: what functions take that record what
+/// samples it. The wind outlives it.
+struct SampledWind {
+    SampledWind(const vulkan::Wind& wind)
+        : reader(&wind), boundaries(wind.config().boundaries), textures(wind.textures()),
+          previous_textures(wind.previous_textures()), gust_buffer(wind.gust_buffer()) {}
+    SampledWind(const CpuWind& wind)
+        : reader(&wind.air()), boundaries(wind.air().config().boundaries), textures(wind.textures()),
+          previous_textures(wind.previous_textures()), gust_buffer(wind.gust_buffer()) {}
 
-    /// Of the frame last recorded, and of the one before.
-    [[nodiscard]] vulkan::Textures textures() const { return cpu_ ? cpu_->textures() : device_->textures(); }
-    [[nodiscard]] vulkan::Textures previous_textures() const {
-        return cpu_ ? cpu_->previous_textures() : device_->previous_textures();
-    }
-    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
-        return cpu_ ? cpu_->frame_block(anchor, sampling) : device_->frame_block(anchor, sampling);
-    }
-    [[nodiscard]] VkBuffer gust_buffer() const { return cpu_ ? cpu_->gust_buffer() : device_->gust_buffer(); }
-    [[nodiscard]] const Boundaries& boundaries() const { return (cpu_ ? cpu_->config() : device_->config()).boundaries; }
-
-  private:
-    const vulkan::Wind* device_ = nullptr; ///< this or the next
-    const CpuWind* cpu_ = nullptr;
+    const WindReader* reader;
+    Boundaries boundaries;
+    vulkan::Textures textures, previous_textures; ///< of that frame, and of the one before
+    VkBuffer gust_buffer;
 };
 
 class WindSet {

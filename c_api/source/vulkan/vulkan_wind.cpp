@@ -19,27 +19,7 @@ struct windrow_vulkan_set_writes {
 
 namespace {
 
-class DeviceWind final : public WindOf<vulkan::Wind> {
-  public:
-    using WindOf::set_velocity;
-    using WindOf::WindOf;
-    Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override {
-        return air.set_velocity(velocity_at);
-    }
-    Result<WindView> view(windrow_frame frame, windrow_result& why) const override {
-        if (frame == WINDROW_FRAME_PREVIOUS) {
-            why = WINDROW_UNSUPPORTED;
-            return Error{"the frame before is on the device alone: sample its textures in a shader."};
-        }
-        if (auto queried = air.queried())
-            return *queried;
-        why = WINDROW_NOT_READY;
-        return Error{
-            "no cells have come back yet: create the wind with settings.queries of cells or box, record and submit frames, and "
-            "ask again."};
-    }
-    Result<AmbientWind> ambient_wind(windrow_frame) const override { return air.ambient_wind(); }
-};
+using DeviceWind = WindOf<vulkan::Wind>;
 
 const char* const k_not_device = "is for winds on a device: make the wind with windrow_vulkan_wind_create.";
 

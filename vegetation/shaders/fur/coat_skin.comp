@@ -5,7 +5,7 @@
 #define WINDROW_SET 1
 #define COAT_SKIN_WRITTEN
 #include "shaders/coupling/windrow_plants.glsl"
-#include "../numerics/place_noise.glsl"
+#include "shaders/numerics/place_noise.glsl"
 #include "coat.glsl"
 #include "coat_places.glsl"
 

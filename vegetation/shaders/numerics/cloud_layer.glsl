@@ -17,7 +17,7 @@
 #define WINDROW_FN
 #endif
 
-#include "place_noise.glsl"
+#include "../../../shaders/numerics/place_noise.glsl"
 #include "sky.glsl"
 
 struct WindrowClouds {

@@ -31,7 +31,7 @@
 
 #include "../../../shaders/numerics/blade.glsl"
 #include "clump.glsl"
-#include "place_noise.glsl"
+#include "../../../shaders/numerics/place_noise.glsl"
 #include "../../../shaders/numerics/plant_hash.glsl"
 
 #define WINDROW_GRASS_NEAR 0

@@ -3,7 +3,7 @@
 #define WINDROW_RENDER_TERRAIN_GLSL
 
 #include "frame.glsl"
-#include "../numerics/place_noise.glsl"
+#include "shaders/numerics/place_noise.glsl"
 
 float terrain_sample(ivec2 at) {
     ivec2 held = clamp(at, ivec2(0), frame.terrain_size.xy - 1);

@@ -9,7 +9,7 @@
 #define WINDROW_LEAF_MASK_GLSL
 
 #include "shaders/numerics/flutter.glsl"
-#include "../numerics/place_noise.glsl"
+#include "shaders/numerics/place_noise.glsl"
 #include "../render/sample_bits.glsl"
 
 struct LeafMask {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "../render/shading.glsl"
 #include "../numerics/motion_vector.glsl"
-#include "../numerics/place_noise.glsl"
+#include "shaders/numerics/place_noise.glsl"
 #include "tree_parts.glsl"
 
 layout(location = 0) in vec3 position;

@@ -1,6 +1,6 @@
 // The air of a scene on both backends: the same wind at the same places, and the same picture. Their steps are held to each other
 // by tests/parity; here it is how a frame places what moves, and what shaders sample.
-#include "scene/scene_motion.h"
+#include "scene/scene_air.h"
 #include "vegetation/program/air.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/tests/images/drawn.h"
@@ -30,26 +30,25 @@ std::vector<std::vector<glm::vec3>> winds_of(const PictureScene& scene, Backend 
     Config config = scene.air.air;
     config.ticks = {.hz = scene.air.tick_hz, .max_per_call = 10};
     Air air = engine::must(Air::create(*device, config, {.backend = backend, .queries = true}));
-    scene::SceneMotion motion(scene.air);
-    engine::must(motion.begin(air));
-    air.reset();
+    scene::SceneAir moved(scene.air);
+    engine::must(moved.begin(air.control()));
     // What a device has done is read when the slot's turn comes again.
     const int late = backend == Backend::vulkan ? engine::k_frames_in_flight : 0;
     std::vector<std::vector<glm::vec3>> winds;
     std::vector<std::vector<glm::dvec3>> places;
     for (int n = 0; n < k_frames + late; ++n) {
-        engine::must(motion.place(air, n / 24.0, (n + 1) / 24.0));
+        engine::must(moved.advance_to(air.control(), (n + 1) / 24.0));
         const auto frame = engine::must(frames->begin());
         engine::must(air.record(frame, 1.0 / 24.0));
         engine::must(frames->finish(frame));
         places.emplace_back();
         for (int i = 0; i < k_places; ++i)
-            places.back().push_back(air.origin() +
-                                    glm::dvec3(air.box().size()) * (glm::dvec3(i * 37 % k_places, i * 61 % k_places, i) / 100.0));
+            places.back().push_back(air.control().origin() + glm::dvec3(air.control().box().size()) *
+                                                                 (glm::dvec3(i * 37 % k_places, i * 61 % k_places, i) / 100.0));
         if (n < late)
             continue;
         winds.emplace_back(k_places);
-        air.velocity(places[static_cast<std::size_t>(n - late)], winds.back());
+        air.reader().velocity(places[static_cast<std::size_t>(n - late)], winds.back());
     }
     return winds;
 }

@@ -172,7 +172,7 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
               start + "heights is \"text.pgm\": " + at +
                   "text.pgm is not a binary PGM of up to 65535 levels: save the image as PGM (P5).");
     EXPECT_EQ(ground(R"("heights": "wide.pgm")"),
-              start + "heights is \"wide.pgm\", which has 5000 x 2 pixels: give at most 4097 a side.");
+              start + "heights is \"wide.pgm\", which has 5000 x 2 pixels: give 2 to 4097 a side.");
     EXPECT_EQ(
         ground(R"("heights": "tall.pgm")"),
         start + "extent is [100, 100] m, which makes the 3 x 2 pixels of \"heights\" not square: give [100, 50] m, whose pixels "

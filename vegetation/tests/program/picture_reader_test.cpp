@@ -1,7 +1,5 @@
 // What a picture's file says, read: defaults, values, heights, masks, where the eye is, who jumps.
 #include "coupling/plant_classes.h"
-#include "fluid/vulkan/wind.h"
-#include "scene/scene_motion.h"
 #include "vegetation/tests/program/specimen.h"
 
 #include <algorithm>
@@ -12,8 +10,6 @@ namespace windrow::vegetation::program {
 namespace {
 
 using test::Folder;
-
-static_assert(windrow::scene::MovableWind<windrow::vulkan::Wind>, "a renderer plays a scene's motors in its own wind");
 
 windrow::Result<PictureScene> read(const std::string& picture) {
     return read_picture_scene_text(

@@ -1,4 +1,4 @@
-#include "fluid/vulkan/speed_bound.h"
+#include "fluid/speed_bound.h"
 
 #include "fluid/ambient_numerics.h"
 
@@ -6,13 +6,24 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-namespace windrow::vulkan {
+namespace windrow {
 namespace {
 
 using detail::MotorReach;
 
+constexpr float k_around_bodies = 2.0f; ///< air around a body over what meets it: potential flow past a cylinder
+
 float largest_component(const glm::vec3& u) {
     return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+}
+
+// Cells that are not finite become ambient.
+float largest_component(std::span<const glm::vec4> cells) {
+    float largest = 0.0f;
+    for (const glm::vec4& u : cells)
+        if (const float component = largest_component(glm::vec3(u)); std::isfinite(component))
+            largest = std::max(largest, component);
+    return largest;
 }
 
 // Largest component of a motor's force or target velocity at any place.
@@ -70,40 +81,45 @@ float largest_ambient(const AmbientWind& ambient, const Window& window, float* g
 
 void SpeedBound::note(const CellChange& change) {
     using Kind = CellChange::Kind;
+    const float ambient_before = ambient_;
     if (change.kind == Kind::fill || change.kind == Kind::add_wind || change.kind == Kind::set || change.kind == Kind::add_change)
         ambient_ = std::max(ambient_, largest_ambient(change.ambient, change.window));
+    const float more = std::max(ambient_ - ambient_before, 0.0f);
     if (change.kind == Kind::fill) {
         waiting_.air.reset(ambient_);
         waiting_.apart.reset(0.0f);
+        waiting_.expected.reset(k_around_bodies * ambient_);
         source_flow_ = 0.0f;
     } else if (change.kind == Kind::set) {
-        float largest = 0.0f;
-        for (const glm::vec4& u : change.cells) // cells that are not finite become ambient
-            if (const float component = largest_component(glm::vec3(u)); component < k_unknown)
-                largest = std::max(largest, component);
+        const float largest = largest_component(change.cells);
         waiting_.air.reset(std::max(largest, ambient_));
         waiting_.apart.reset(largest + ambient_);
+        waiting_.expected.reset(k_around_bodies * std::max(largest, ambient_));
     } else if (change.kind == Kind::add_wind) {
         waiting_.air.by(ambient_);
+        waiting_.expected.by(more);
     } else if (change.kind == Kind::add_change && change.to_air) {
         waiting_.air.by(ambient_); // the profile at its top included
+        waiting_.expected.by(largest_component(change.change));
     }
 }
 
-void SpeedBound::note(std::uint64_t tick, const CellStep& step, const Box& box) {
+void SpeedBound::note_read(std::span<const glm::vec4> air, const AmbientWind& ambient, const Window& window) {
+    const float largest = largest_component(air), around = largest_ambient(ambient, window);
+    waiting_.air.reset(std::max(largest, around));
+    waiting_.apart.reset(largest + around);
+}
+
+void SpeedBound::note(const CellStep& step, const Box& box) {
     ambient_ = largest_ambient(*step.ambient, *step.window, &gusts_);
-    float target = ambient_, force = 0.0f, flow = 0.0f;
+    float target = ambient_, moved = 0.0f, force = 0.0f, flow = 0.0f;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             target = std::max(target, largest_component(box.boundaries.at(axis, end).wall_velocity));
-    // Air around a body is up to twice as fast as what meets it: potential flow past a cylinder.
-    constexpr float k_around_bodies = 2.0f;
-    if (!step.obstacles.empty())
-        target = k_around_bodies * ambient_;
     for (const detail::PlacedObstacle& body : step.obstacles) {
         const float turning =
             body.spin == glm::vec3(0.0f) ? 0.0f : glm::length(body.spin) * glm::length(detail::half_extent(body.shape));
-        target = std::max(target, k_around_bodies * (largest_component(body.velocity) + turning));
+        moved = std::max(moved, k_around_bodies * (largest_component(body.velocity) + turning));
     }
     const float longest_eddy = step.tile ? step.tile->bound() : 0.0f;
     for (const MotorReach& motor : step.motors) {
@@ -114,27 +130,60 @@ void SpeedBound::note(std::uint64_t tick, const CellStep& step, const Box& box) 
         else
             flow += largest_source_flow(motor, box);
     }
-    if (step.renews_sources) // the flow of before goes, the new one comes
+    const float duration = static_cast<float>(step.duration);
+    if (step.renews_sources) { // the flow of before goes, the new one comes
         for (Rise* rise : {&waiting_.air, &waiting_.apart})
             rise->by(source_flow_ + flow);
+        waiting_.expected.by(std::max(flow - source_flow_, 0.0f));
+    }
     source_flow_ = step.has_source_flow ? flow : 0.0f;
+    waiting_.expected.toward(std::max(target, moved) + source_flow_);
+    target = std::max({target, moved, step.obstacles.empty() ? 0.0f : k_around_bodies * ambient_});
     waiting_.air.toward(target);
     waiting_.apart.toward(target > ambient_ ? target + ambient_ : 0.0f);
-    for (Rise* rise : {&waiting_.air, &waiting_.apart})
-        rise->by(static_cast<float>(step.duration) * force);
-    last_ = tick;
-    ticks_[tick % k_ticks] = std::exchange(waiting_, {});
+    for (Rise* rise : {&waiting_.air, &waiting_.apart, &waiting_.expected})
+        rise->by(duration * force);
+    ticks_[++last_ % k_ticks] = {.rises = std::exchange(waiting_, {})};
+}
+
+void SpeedBound::note(const MeasuredSpeed& speed) {
+    if (speed.tick > 0 && speed.tick <= last_ && last_ - speed.tick < k_ticks)
+        ticks_[speed.tick % k_ticks].measured = speed.largest;
+}
+
+float SpeedBound::expected_after(std::uint64_t tick) const {
+    Rise since;
+    for (; tick > 0; --tick) {
+        if (last_ - tick >= k_ticks)
+            return k_unknown;
+        if (at(tick).measured >= 0.0f)
+            return since.of(at(tick).measured);
+        since = at(tick).rises.expected.then(since);
+    }
+    return since.of(0.0f); // the wind's first tick begins with air that was filled
+}
+
+int SpeedBound::substeps(const Config& config, double duration) const {
+    if (!config.stages.advection)
+        return 1;
+    const std::uint64_t from = last_ > k_delay ? last_ - k_delay : 0;
+    Rise since;
+    for (std::uint64_t tick = from + 1; tick <= last_; ++tick)
+        since = since.then(at(tick).rises.expected);
+    const double wanted = std::ceil(static_cast<double>(since.of(expected_after(from))) * duration /
+                                    static_cast<double>(config.cell_size * config.max_cfl));
+    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(config.max_substeps)));
 }
 
 float SpeedBound::after(std::uint64_t read_tick, float largest, float apart) const {
-    if (last_ - read_tick > k_ticks)
+    if (last_ - read_tick >= k_ticks)
         return k_unknown;
     Rises since;
     for (std::uint64_t tick = read_tick + 1; tick <= last_; ++tick) {
-        since.air = since.air.then(ticks_[tick % k_ticks].air);
-        since.apart = since.apart.then(ticks_[tick % k_ticks].apart);
+        since.air = since.air.then(at(tick).rises.air);
+        since.apart = since.apart.then(at(tick).rises.apart);
     }
     return std::min(k_margin * since.air.of(largest) + 2.0f * gusts_, k_margin * since.apart.of(apart) + ambient_);
 }
 
-} // namespace windrow::vulkan
+} // namespace windrow

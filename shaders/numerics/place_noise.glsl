@@ -11,7 +11,7 @@
 #define WINDROW_FN
 #endif
 
-#include "../../../shaders/numerics/plant_hash.glsl"
+#include "plant_hash.glsl"
 
 WINDROW_FN float windrow_place_chance(ivec2 cell) { return windrow_fraction(windrow_plant_hash(uvec2(cell)).x); }
 

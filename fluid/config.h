@@ -1,0 +1,195 @@
+// Settings of a wind: the box, the wind around it, the method, and time. Each has its default, range and meaning in the table of
+// its struct, from which validation, scene files, the C interface and docs/scene_keys.md follow.
+#pragma once
+
+#include "ambient.h"
+#include "api.h"
+#include "box.h"
+#include "canopy.h"
+#include "operators.h"
+#include "parallel.h"
+#include "result.h"
+#include "roughness.h"
+#include "setting.h"
+#include "simd.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <tuple>
+
+namespace windrow {
+
+enum class Scheme : std::uint8_t {
+    second_order,  ///< Semi-implicit semi-Lagrangian, centred forces, one direct projection: order 2 at fixed CFL. The default.
+    stable_fluids, ///< The classic split (Stam 1999): forces, diffusion, advection, projection, each whole: order 1.
+};
+
+template <>
+inline constexpr std::array<const char*, 2> k_words<Scheme>{"second_order", "stable_fluids"};
+
+/// Stages of a step, to switch off in tests. A stage whose parameter is 0 costs nothing anyway.
+/// Without advection there is no trajectory to centre forces on: the whole f dt acts in the step.
+struct Stages {
+    bool sources = true;
+    bool relaxation = true;
+    bool diffusion = true;
+    bool advection = true;
+    bool projection = true;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("sources", &Stages::sources, "Motors and the canopy."),
+            Setting("relaxation", &Stages::relaxation, "The return to the ambient wind."),
+            Setting("diffusion", &Stages::diffusion, "Viscosity, and the mixing over rough ground."),
+            Setting("advection", &Stages::advection, "Transport of the velocity by itself."),
+            Setting("projection", &Stages::projection, "The pressure, which makes the air incompressible."),
+        };
+    }
+};
+
+/// Fixed ticks of `advance`.
+struct Ticks {
+    double hz = 30.0;
+    int max_per_call = 4;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("hz", &Ticks::hz, {1.0, 1e4},
+                    "Ticks a second. At 30, blended between ticks, leaves move as smoothly as at 144, at a fifth of the cost."),
+            Setting("max_per_call", &Ticks::max_per_call, {1.0, 1000.0},
+                    "Maximal number of ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower "
+                    "wind, not an "
+                    "ever longer frame."),
+        };
+    }
+};
+
+struct Config {
+    glm::ivec3 cells{32, 16, 32};
+    float cell_size = 1.0f;
+    Boundaries boundaries{};
+    glm::dvec3 centre{0.0};
+    double floor = 0.0;
+    std::optional<glm::bvec3> follow_axes{};
+    glm::vec3 ambient{0.0f};
+    std::optional<LogProfile> profile{};
+    Gusts gusts{};
+    std::optional<Canopy> canopy{};
+    std::optional<Roughness> roughness{};
+    std::optional<Rows> rows{};
+    float blend_width = 2.0f;
+    float viscosity = 1.5e-5f;
+    float relaxation_time = 20.0f;
+    float sleep_speed = 1e-3f;
+    Scheme scheme = Scheme::second_order;
+    Interpolation interpolation = Interpolation::cubic;
+    float max_cfl = 2.0f;
+    int max_substeps = 8;
+    int pressure_solves = 0;
+    Stages stages{};
+    Ticks ticks{};
+    Simd simd = Simd::best;
+    /// Threads of the host; default serial. Results do not depend on it.
+    ParallelFor parallel_for{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("cells", &Config::cells, Box::k_cells_range,
+                    "Cells along x, y, z; at most 67,108,864 in all. Odd sizes too. The default is 32 m around a player at 1 m, "
+                    "half as "
+                    "high."),
+            Setting("cell_size", &Config::cell_size, Box::k_cell_size_range,
+                    "Edge of a cell; with rows of their own, along x and z. At 1 m a gust that a person notices spans several."),
+            Setting("boundaries", &Config::boundaries,
+                    "Boundary conditions of the six faces. Default: open everywhere; Boundaries::open_over_floor() adds ground. "
+                    "Periodic boundaries come in pairs."),
+            Setting(
+                "centre", &Config::centre, k_world_range,
+                "Point that the box is centred on at the start, to whole cells; for good on axes that do not follow. Its height "
+                "does not count over a wall at boundaries.y_low: the box stands on floor."),
+            Setting("floor", &Config::floor, k_world_range,
+                    "Height of the ground, where boundaries.y_low is a wall: the box's low side, to whole cells. Default 0. "
+                    "set_floor changes it."),
+            Setting("follow_axes", &Config::follow_axes,
+                    "Axes x, y, z along which the box follows. Default: those with two open boundaries; others cannot."),
+            Setting(
+                "ambient", &Config::ambient, k_speed_range,
+                "Mean wind: of the air at the start, of the inflow through open boundaries, of new cells. Its component along an "
+                "axis that a wall closes is dropped."),
+            Setting("profile", &Config::profile,
+                    "Wind over open ground: log((z + z0) / z0), 0 at the ground (the box's floor, or height 0 without one), the "
+                    "ambient wind at the reference height, more above. Default none: the same wind at all heights; {} for the "
+                    "profile with its own defaults."),
+            Setting(
+                "gusts", &Config::gusts,
+                "A frozen pattern that the ambient wind carries along, outside the box and through it. Calm air has none. The "
+                "pattern is not periodic in the box: it jumps at periodic boundaries."),
+            Setting(
+                "canopy", &Config::canopy,
+                "Drag of plants of uniform height and density on the floor, or at height 0 without one. The inflow, and the "
+                "wind to which the air relaxes, is still the ambient wind. Default none, which costs nothing: plants then bend "
+                "in the wind and do not slow it; {} for wheat."),
+            Setting(
+                "roughness", &Config::roughness,
+                "Rough ground: its drag, and the mixing of the air above it by turbulence. Default none, which costs nothing: "
+                "the ground is smooth, and a profile is worn away by what the air does; {} for short grass."),
+            Setting(
+                "rows", &Config::rows,
+                "Rows of cells of unequal thickness, thin near the ground and thick aloft; {} for rows of half a metre that grow "
+                "by a tenth from the fifth on. Default none, which costs nothing: all rows are cell_size thick. At most 128 "
+                "rows. Such a box keeps its height, which set_floor changes by whole lowest rows, and the air is then "
+                "interpolated; it cannot repeat along y."),
+            Setting(
+                "blend_width", &Config::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
+                "Width over which sampled wind fades to ambient at the boundaries along which the box follows. It ends one cell "
+                "before the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells "
+                "(10 with "
+                "ticks) have none."),
+            Setting("viscosity", &Config::viscosity, {0.0, 1e9, "m^2/s"},
+                    "Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver resolves and costs "
+                    "nothing."),
+            Setting("relaxation_time", &Config::relaxation_time, {0.0, 1e9, "s", "never"},
+                    "Time constant of the relaxation to the ambient wind. Default 20: a collocated solver has no other damping "
+                    "of the "
+                    "checkerboard mode in still air. 0 is for analytic cases."),
+            Setting("sleep_speed", &Config::sleep_speed, {0.0, 1e4, "m/s", "never"},
+                    "Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes "
+                    "ambient, and a step costs microseconds until something acts. It does not sleep without a relaxation time or "
+                    "while "
+                    "viscosity acts."),
+            Setting("scheme", &Config::scheme,
+                    "Time scheme. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
+                    "order."),
+            Setting("interpolation", &Config::interpolation,
+                    "Interpolation of the advection. linear: never overshoots, smooths. cubic: third order."),
+            Setting("max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
+                    "Cells that the air may cross in one sub-step. Above 2 the backtrace may miss thin motors; large values are "
+                    "for tests "
+                    "of the raw step."),
+            Setting("max_substeps", &Config::max_substeps, {1.0, 64.0},
+                    "Maximal number of sub-steps in a step. Beyond max_cfl * max_substeps cells a step, speeds are limited (and "
+                    "counted). While obstacles move, the number follows from speeds of four steps ago and from what acts since."),
+            Setting(
+                "pressure_solves", &Config::pressure_solves,
+                {.min = 0.0, .max = 64.0, .zero = "two, eight in the first step of a flow"},
+                "Direct solves of the pressure around obstacles in a sub-step. Each further solve costs about a fifth of a step; "
+                "without obstacles in the box there is one."),
+            Setting("stages", &Config::stages, "Stages that run.", k_in_snapshots),
+            Setting("ticks", &Config::ticks, "Fixed ticks of `advance`.", k_in_snapshots),
+            Setting(
+                "simd", &Config::simd,
+                "Instructions of the hot loops. Default: the best that this machine runs. Each level gives one result, baseline "
+                "the same on all machines.",
+                k_in_snapshots),
+            Setting("parallel_for", &Config::parallel_for, "Threads of the host.", k_not_stored),
+        };
+    }
+};
+
+/// All reasons why a config is invalid, one per line.
+[[nodiscard]] WINDROW_API Result<void> validate(const Config& config);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config);
+
+} // namespace windrow

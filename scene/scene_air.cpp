@@ -1,0 +1,286 @@
+#include "scene/scene_air.h"
+
+#include "fluid/archive.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace windrow::scene {
+namespace {
+
+using detail::message;
+
+constexpr detail::Format k_format{.letters = "WINDSCEN",
+                                  .version = detail::Layout("clock, floor, motors, obstacles, wakes 1").version(),
+                                  .name = "state of a scene",
+                                  .writer = "SceneAir::save"};
+
+Motor moved(const Motor& motor, glm::dvec3 position) {
+    Motor result = motor;
+    std::visit([&](auto& kind) { kind.position = position; }, result);
+    return result;
+}
+
+/// Mean strength between two ages [s].
+double strength_of(const Motor& motor, double from, double to) {
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.envelope; })
+                return kind.envelope.mean(from, to);
+            else
+                return kind.mean(from, to);
+        },
+        motor);
+}
+
+// [m] Height of the equal rows above the floor: those of the law, or of a list the first.
+double equal_rows(const Rows& rows) {
+    const std::vector<float>& heights = rows.heights;
+    if (heights.empty())
+        return rows.uniform * static_cast<double>(rows.first);
+    std::size_t equal = 1;
+    while (equal < heights.size() && heights[equal] - heights[equal - 1] <= 2.02f * heights[0])
+        ++equal;
+    return 2.0 * static_cast<double>(equal) * static_cast<double>(heights[0]);
+}
+
+} // namespace
+
+SceneAir::SceneAir(const Scene& scene) : scene_(&scene), state_(state_of_begin()) {}
+
+SceneAir::State SceneAir::state_of_begin() const {
+    State state;
+    state.motors.resize(scene_->motors.size());
+    state.obstacles.resize(scene_->obstacles.size());
+    state.wakes.resize(scene_->carried.size());
+    return state;
+}
+
+Result<void> SceneAir::begin(WindControl& wind) {
+    state_ = state_of_begin();
+    if (auto placed = place_box(wind, 0.0); !placed)
+        return placed;
+    if (auto placed = place_obstacles(wind.obstacles(), 0.0); !placed)
+        return placed;
+    // Air that was filled in before the floor stood where it belongs has the wind of other heights.
+    wind.reset();
+    return {};
+}
+
+Result<void> SceneAir::advance_to(WindControl& wind, double end) {
+    if (auto placed = place(wind, end); !placed)
+        return placed;
+    state_.steps += end > state_.time ? 1 : 0;
+    state_.time = end;
+    return {};
+}
+
+Result<void> SceneAir::warm_up(WindControl& wind, double seconds, double hz, const Step& step) {
+    for (auto left = static_cast<std::int64_t>(std::ceil(seconds * hz)); left > 0; --left) {
+        if (auto placed = place(wind, state_.time); !placed)
+            return placed;
+        if (auto stepped = step(1.0 / hz, left - 1); !stepped)
+            return stepped;
+    }
+    return {};
+}
+
+Result<void> SceneAir::place(WindControl& wind, double end) {
+    if (auto placed = place_box(wind, end); !placed)
+        return placed;
+    if (auto placed = place_motors(wind.motors(), end); !placed)
+        return placed;
+    if (auto placed = place_obstacles(wind.obstacles(), end); !placed)
+        return placed;
+    return place_wakes(wind.motors(), end);
+}
+
+Result<void> SceneAir::place_box(WindControl& wind, double time) {
+    if (!std::holds_alternative<std::monostate>(scene_->follow))
+        if (const auto followed = wind.follow(scene_->followed_point(time)); !followed)
+            return rejection("follow", time, followed.error());
+    if (!scene_->has_floor())
+        return {};
+    // Rows of their own interpolate the air where they move: they stay while the ground is among the lower half of the equal ones.
+    const double wanted = scene_->floor_height(time);
+    const double stays = scene_->air.rows ? 0.5 * equal_rows(*scene_->air.rows) : 0.0;
+    if (state_.floor && wanted >= *state_.floor && wanted < *state_.floor + stays)
+        return {};
+    if (const auto placed = wind.set_floor(wanted); !placed)
+        return rejection("floor", time, placed.error());
+    state_.floor = wanted;
+    return {};
+}
+
+std::vector<SceneAir::ActingMotor> SceneAir::acting(const Motors& motors) const {
+    const double time = state_.time;
+    std::vector<ActingMotor> result;
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
+        const SceneMotor& motor = scene_->motors[i];
+        const MovedMotor& part = state_.motors[i];
+        if (time < motor.from || time >= motor.until || (part.begun && motors.find(part.id) == nullptr))
+            continue;
+        const double age = part.begun ? time - part.since : 0.0;
+        result.push_back({&motor, motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(time)) : motor.motor,
+                          strength_of(motor.motor, age, age + 1.0 / scene_->tick_hz)});
+    }
+    return result;
+}
+
+std::vector<SceneAir::StandingObstacle> SceneAir::standing(double time) const {
+    std::vector<StandingObstacle> result;
+    for (const SceneObstacle& body : scene_->obstacles)
+        if (body.from <= time && time < body.until)
+            result.push_back({&body, obstacle_at(body, time)});
+    return result;
+}
+
+bool SceneAir::StandingObstacle::blocks(glm::dvec3 from, glm::dvec3 to) const {
+    const auto reach = static_cast<double>(glm::length(detail::half_extent(now.shape)));
+    if (glm::distance(from, now.position) > reach + glm::distance(from, to))
+        return false;
+    const glm::quat to_own = glm::conjugate(glm::normalize(now.orientation));
+    const glm::vec3 begin = to_own * glm::vec3(from - now.position), end = to_own * glm::vec3(to - now.position);
+    return detail::distance_to(now.shape, end) < 0.0f || detail::blocks(now.shape, begin, end);
+}
+
+MotorId SceneAir::motor(std::string_view name) const {
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i)
+        if (scene_->motors[i].name == name && state_.motors[i].begun)
+            return state_.motors[i].id;
+    return {};
+}
+
+ObstacleId SceneAir::obstacle(std::string_view name) const {
+    for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
+        if (scene_->obstacles[i].name == name && state_.obstacles[i] != ObstacleId{})
+            return state_.obstacles[i];
+    return {};
+}
+
+template <class Archive>
+void SceneAir::pass(Archive& archive, auto& state) {
+    const auto pass_id = [&](auto& id) { archive(id.slot, id.generation); }; // its owner is each process's own
+    archive(state.time, state.steps, state.floor);
+    for (auto& motor : state.motors) {
+        pass_id(motor.id);
+        archive(motor.begun, motor.since);
+    }
+    for (auto& id : state.obstacles)
+        pass_id(id);
+    for (auto& id : state.wakes)
+        pass_id(id);
+}
+
+std::vector<std::byte> SceneAir::save() const {
+    detail::Writer writer(64 + 32 * (state_.motors.size() + state_.obstacles.size() + state_.wakes.size()));
+    writer(static_cast<std::uint32_t>(state_.motors.size()), static_cast<std::uint32_t>(state_.obstacles.size()),
+           static_cast<std::uint32_t>(state_.wakes.size()));
+    pass(writer, state_);
+    return std::move(writer).finish(k_format);
+}
+
+Result<void> SceneAir::load(std::span<const std::byte> bytes) {
+    const auto content = detail::unseal(bytes, k_format);
+    if (!content)
+        return Error{content.error()};
+    detail::Reader reader(*content);
+    std::uint32_t motors = 0, obstacles = 0, wakes = 0;
+    reader(motors, obstacles, wakes);
+    State state = state_of_begin();
+    if (motors != state.motors.size() || obstacles != state.obstacles.size() || wakes != state.wakes.size())
+        return Error{message("the state of a scene is of ", motors, " motors, ", obstacles, " obstacles and ", wakes,
+                             " wakes, but ", scene_->file.string(), " has ", state.motors.size(), ", ", state.obstacles.size(),
+                             " and ", state.wakes.size(), ": load it with the scene that it was saved with.")};
+    pass(reader, state);
+    reader.end();
+    if (reader.rejected())
+        return Error{message("the state of a scene cannot be used: ", reader.reason())};
+    state_ = std::move(state);
+    return {};
+}
+
+Error SceneAir::rejection(const char* key, double time, const std::string& why) const {
+    return Error{message(scene_->file.string(), ": $.", key, " at ", time, " s: ", why)};
+}
+
+Result<void> SceneAir::place_motors(Motors& motors, double end) {
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i)
+        if (const auto placed = place_motor(motors, scene_->motors[i], state_.motors[i], end); !placed)
+            return Error{message(scene_->file.string(), ": $.motors[", i, "]: ", placed.error())};
+    return {};
+}
+
+Result<void> SceneAir::place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double end) {
+    const double start = state_.time, middle = 0.5 * (start + end);
+    const bool acts = motor.from <= middle && middle < motor.until;
+    if (acts && !part.begun) {
+        // A wake begins its path at the body's place at the tick's start, then moves like any other motor.
+        const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
+        if (!added)
+            return Error{added.error()};
+        part = {.id = *added, .begun = true, .since = start};
+    }
+    if (motors.find(part.id) == nullptr)
+        return {};
+    if (!acts)
+        return motors.remove(part.id);
+    return motor.path ? motors.move(part.id, scene_->paths[*motor.path].path.at(end)) : Result<void>{};
+}
+
+Result<void> SceneAir::place_obstacles(Obstacles& obstacles, double end) {
+    for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
+        if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], state_.obstacles[i], end); !placed)
+            return Error{message(scene_->file.string(), ": $.obstacles[", i, "]: ", placed.error())};
+    return {};
+}
+
+Result<void> SceneAir::place_obstacle(Obstacles& obstacles, const SceneObstacle& body, ObstacleId& id, double end) {
+    const double start = state_.time, middle = 0.5 * (start + end);
+    const bool is_there = body.from <= middle && middle < body.until;
+    if (!is_there)
+        return id == ObstacleId{} ? Result<void>{} : obstacles.remove(std::exchange(id, {}));
+    if (id == ObstacleId{}) {
+        const auto added = obstacles.add(obstacle_at(body, start));
+        if (!added)
+            return Error{added.error()};
+        id = *added;
+    }
+    if (!body.path && !body.turn_path)
+        return {};
+    const Obstacle then = obstacle_at(body, end);
+    return body.turn_path ? obstacles.move(id, then.position, then.orientation) : obstacles.move(id, then.position);
+}
+
+Result<void> SceneAir::place_wakes(Motors& motors, double end) {
+    for (std::size_t i = 0; i < scene_->carried.size(); ++i) {
+        const Carried& body = scene_->carried[i];
+        const MotionPath& path = scene_->paths[body.path].path;
+        MotorId& id = state_.wakes[i];
+        if (id == MotorId{}) {
+            WakeMotor wake = wake_of(body.front, scene_->air.cell_size);
+            wake.position = body.middle_at(path, state_.time);
+            const auto added = motors.add(wake);
+            if (!added)
+                return Error{message(scene_->file.string(), ": ", body.key, ", its wake: ", added.error())};
+            id = *added;
+        }
+        if (auto moved = motors.move(id, body.middle_at(path, end)); !moved)
+            return Error{message(scene_->file.string(), ": ", body.key, ", its wake: ", moved.error())};
+    }
+    return {};
+}
+
+Obstacle SceneAir::obstacle_at(const SceneObstacle& body, double time) const {
+    Obstacle obstacle = body.obstacle;
+    if (body.path)
+        obstacle.position = scene_->paths[*body.path].path.at(time);
+    if (body.turn_path)
+        obstacle.orientation = orientation_of(scene_->paths[*body.turn_path].path.at(time));
+    return obstacle;
+}
+
+} // namespace windrow::scene

@@ -1,0 +1,118 @@
+// The air of a scene, played in a wind on either backend: the box that follows, its floor, the motors and obstacles that come, move
+// and go, and the wakes of what its picture moves.
+//
+//     auto air = windrow::scene::SceneAir(scene);
+//     auto placed = air.begin(*wind);                                  // the box and the obstacles are where the first frame has them
+//     for (int tick = 1; tick <= ticks; ++tick) {
+//         placed = air.advance_to(*wind, tick / scene.tick_hz);        // what moves, then the air
+//         wind->step(1.0 / scene.tick_hz);
+//     }
+//     (void)wind->motors().set(air.motor("fan"), stronger);            // by its name in the scene
+//
+// It has the clock of the scene and the handles; the wind has the air. Both are saved, and go on with the same bits.
+#pragma once
+
+#include "fluid/wind_control.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace windrow::scene {
+
+class SceneAir {
+  public:
+    /// The scene must outlive it.
+    explicit SceneAir(const Scene& scene);
+
+    /// Time 0 in a wind that has nothing of the scene yet: the box is where the scene has it, obstacles that are there at 0 stand
+    /// in it, and the air is the ambient wind. No motor acts yet. Rejections, of all calls, begin with the scene's file and path.
+    Result<void> begin(WindControl& wind);
+    /// To be called before the wind's step or frame from time() to `end` [s]: the box and all that moves are put where they are at
+    /// its end; motors and obstacles whose time holds the middle are added, others removed. One that ended by itself does not
+    /// begin again. Wakes sweep from where they were.
+    Result<void> advance_to(WindControl& wind, double end);
+    /// Air before the first frame: at least `seconds` in equal steps of 1 / `hz`, with all that acts at time() and nothing that
+    /// moves. `step` advances the wind by `dt` [s]; `left` more steps follow.
+    using Step = std::function<Result<void>(double dt, std::int64_t left)>;
+    Result<void> warm_up(WindControl& wind, double seconds, double hz, const Step& step);
+
+    /// [s]
+    [[nodiscard]] double time() const { return state_.time; }
+    /// Steps of the clock so far.
+    [[nodiscard]] std::int64_t steps() const { return state_.steps; }
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+
+    /// Handle of the first motor or obstacle of that name which is in the air; names none where there is none.
+    [[nodiscard]] MotorId motor(std::string_view name) const;
+    [[nodiscard]] ObstacleId obstacle(std::string_view name) const;
+
+    /// A motor of the scene as it stands now.
+    struct ActingMotor {
+        const SceneMotor* motor;
+        Motor now;
+        /// Share of its full strength in the coming tick: its envelope's, or a burst's form, which is below 0 while it draws
+        /// back.
+        double strength = 1.0;
+    };
+    /// Those that act at time(), in the scene's order; not those that have ended by themselves. `motors`: the wind's.
+    [[nodiscard]] std::vector<ActingMotor> acting(const Motors& motors) const;
+
+    /// An obstacle of the scene as it is at a time.
+    struct StandingObstacle {
+        const SceneObstacle* obstacle;
+        Obstacle now;
+
+        /// Whether the straight way between two places of the world passes through it or ends inside.
+        [[nodiscard]] bool blocks(glm::dvec3 from, glm::dvec3 to) const;
+    };
+    /// Those that are there at a time [s], in the scene's order.
+    [[nodiscard]] std::vector<StandingObstacle> standing(double time) const;
+
+    /// Clock and handles, to be kept beside what Wind::save returns: a few bytes a motor and an obstacle.
+    [[nodiscard]] std::vector<std::byte> save() const;
+    /// Goes on where `save` was called, with the wind that was loaded. Rejects changed bytes and those of a scene with other
+    /// numbers of motors, obstacles or wakes; then nothing has changed.
+    [[nodiscard]] Result<void> load(std::span<const std::byte> bytes);
+
+  private:
+    /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.
+    struct MovedMotor {
+        MotorId id{};
+        bool begun = false;
+        double since = 0.0; ///< [s] of the scene's time, when it was added
+    };
+    struct State {
+        double time = 0.0;
+        std::int64_t steps = 0;
+        std::optional<double> floor{};       ///< [m] where it was put
+        std::vector<MovedMotor> motors{};    ///< one for each of the scene's
+        std::vector<ObstacleId> obstacles{}; ///< the same; none while it is not there
+        std::vector<MotorId> wakes{};        ///< one for each of Scene::carried; none before it is placed
+    };
+    template <class Archive>
+    static void pass(Archive& archive, auto& state);
+    [[nodiscard]] State state_of_begin() const;
+
+    Result<void> place(WindControl& wind, double end);
+    Result<void> place_box(WindControl& wind, double time);
+    [[nodiscard]] Error rejection(const char* key, double time, const std::string& why) const;
+    Result<void> place_motors(Motors& motors, double end);
+    Result<void> place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double end);
+    Result<void> place_obstacles(Obstacles& obstacles, double end);
+    Result<void> place_obstacle(Obstacles& obstacles, const SceneObstacle& body, ObstacleId& id, double end);
+    Result<void> place_wakes(Motors& motors, double end);
+    /// The obstacle at a time [s].
+    [[nodiscard]] Obstacle obstacle_at(const SceneObstacle& body, double time) const;
+
+    const Scene* scene_;
+    State state_;
+};
+
+} // namespace windrow::scene

@@ -1,0 +1,238 @@
+// The scenario table: each feature of a wind alone, with all else at its default, and random combinations of them. Tests play the
+// rows on the CPU, on a device, and through save and load.
+#pragma once
+
+#include "fluid/wind.h"
+#include "tests/shapes.h"
+
+#include <functional>
+#include <glm/gtc/quaternion.hpp>
+#include <ostream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace windrow::test {
+
+/// What a feature adds to a row.
+struct Scenario {
+    std::string name;
+    std::function<void(Config&)> config{};
+    /// Before the first step. Motors and obstacles are added in an order, and named by `Handles`.
+    std::function<void(WindControl&)> begin{};
+    /// Before step n, from 0.
+    std::function<void(WindControl&, int)> step{};
+    /// Two winds that start one rounding apart part by more than 1e-6 in 12 steps.
+    bool chaotic = false;
+};
+
+inline void PrintTo(const Scenario& row, std::ostream* to) {
+    *to << row.name;
+}
+
+/// A 16 x 10 x 14 box of the default config in a wind of 6 m/s, which the features change.
+inline Config scenario_config() {
+    return {.cells = {16, 10, 14}, .ambient = {6.0f, 0.0f, 1.0f}};
+}
+inline constexpr double k_scenario_step = 1.0 / 30.0; // [s]
+
+/// The only motor or obstacle of a row, or its n-th: handles of winds that are loaded are the same.
+inline MotorId motor_id(std::uint32_t slot = 0) {
+    return {.slot = slot, .generation = 1};
+}
+inline ObstacleId obstacle_id(std::uint32_t slot = 0) {
+    return {.slot = slot, .generation = 1};
+}
+
+enum class Way { rests, moves, turns };
+
+namespace detail {
+
+struct NamedShape {
+    const char* name;
+    Shape shape;
+};
+
+inline std::vector<NamedShape> scenario_shapes() {
+    std::vector<std::uint8_t> corner(27, 1);
+    corner[0] = corner[2] = corner[26] = 0;
+    return {{"sphere", Sphere{2.3f}},
+            {"capsule", Capsule{.half_axis = {1.0f, 2.0f, 0.3f}, .radius = 1.2f}},
+            {"block", Block{{2.0f, 2.5f, 1.7f}}},
+            {"thin_wall", Block{{0.2f, 3.0f, 4.0f}}},
+            {"cylinder", Cylinder{.radius = 1.8f, .half_length = 2.4f}},
+            {"plate", Plate{{2.6f, 3.0f}}},
+            {"mesh", MeshShape{mesh_of(ball_mesh(2.2f, 2))}},
+            {"voxels", VoxelShape{grid_of({.cells = {3, 3, 3}, .closed = corner}), 1.3f}}};
+}
+
+inline void must(const auto& result) {
+    EXPECT_TRUE(result) << (result ? "" : result.error());
+}
+
+/// `at`: where it is at the start [m]; `slot` of its handle.
+inline Scenario obstacle_scenario(const NamedShape& kind, Way way, glm::dvec3 at, std::uint32_t slot = 0) {
+    const char* const ways[] = {"rests", "moves", "turns"};
+    Scenario row{.name = std::string(kind.name) + "_" + ways[static_cast<int>(way)]};
+    const glm::quat turned = glm::angleAxis(0.3f, glm::vec3(0.0f, 1.0f, 0.0f));
+    row.begin = [=, shape = kind.shape](WindControl& wind) {
+        must(wind.obstacles().add({.position = at, .orientation = turned, .shape = shape}));
+    };
+    if (way == Way::moves)
+        row.step = [=](WindControl& wind, int n) {
+            must(wind.obstacles().move(obstacle_id(slot), at + glm::dvec3(0.06, 0.0, -0.03) * (n + 1.0)));
+        };
+    if (way == Way::turns)
+        row.step = [=](WindControl& wind, int n) {
+            const float angle = 0.3f + 0.04f * static_cast<float>(n + 1);
+            must(wind.obstacles().move(obstacle_id(slot), at, glm::angleAxis(angle, glm::vec3(0.0f, 1.0f, 0.0f))));
+        };
+    return row;
+}
+
+inline Obstacle hills(glm::dvec3 corner = {-40.0, -4.0, -40.0}) {
+    return {.position = corner, .shape = Ground{heights_of({81, 81}, 1.0f, [](double x, double z) {
+                                    return 1.5 + 1.5 * std::sin(0.3 * x) * std::cos(0.4 * z);
+                                })}};
+}
+
+} // namespace detail
+
+/// Each feature alone.
+inline std::vector<Scenario> scenarios() {
+    using detail::must;
+    std::vector<Scenario> rows;
+    for (const detail::NamedShape& shape : detail::scenario_shapes())
+        for (const Way way : {Way::rests, Way::moves, Way::turns})
+            rows.push_back(detail::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0}));
+    rows.push_back({.name = "hills", .begin = [](WindControl& wind) { must(wind.obstacles().add(detail::hills())); }});
+    rows.push_back({.name = "hills_in_rows",
+                    .config =
+                        [](Config& c) {
+                            c.boundaries = Boundaries::open_over_floor();
+                            c.rows = Rows{.first = 0.35f, .uniform = 4, .ratio = 1.2f};
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add(detail::hills({-40.0, 0.0, -40.0})));
+                        }});
+    rows.push_back({.name = "floor", .config = [](Config& c) { c.boundaries = Boundaries::open_over_floor(); }});
+    rows.push_back({.name = "profile", .config = [](Config& c) { c.profile = LogProfile{}; }});
+    rows.push_back({.name = "gusts", .config = [](Config& c) { c.gusts.intensity = 0.2f; }});
+    rows.push_back({.name = "rough_ground", .config = [](Config& c) {
+                        c.boundaries = Boundaries::open_over_floor();
+                        c.profile = LogProfile{};
+                        c.roughness = Roughness{};
+                    }});
+    rows.push_back({.name = "canopy", .config = [](Config& c) {
+                        c.boundaries = Boundaries::open_over_floor();
+                        c.canopy = Canopy{};
+                    }});
+    rows.push_back({.name = "rows", .config = [](Config& c) {
+                        c.boundaries = Boundaries::open_over_floor();
+                        c.rows = Rows{};
+                    }});
+    rows.push_back({.name = "stable_fluids",
+                    .config = [](Config& c) { c.scheme = Scheme::stable_fluids; },
+                    .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); }});
+    rows.push_back({.name = "linear",
+                    .config = [](Config& c) { c.interpolation = Interpolation::linear; },
+                    .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); }});
+    rows.push_back({.name = "viscous",
+                    .config = [](Config& c) { c.viscosity = 0.5f; },
+                    .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); }});
+    const std::pair<const char*, Motor> motors[] = {{"directional", DirectionalMotor{}},
+                                                    {"omni", OmniMotor{}},
+                                                    {"vortex", VortexMotor{}},
+                                                    {"jet", JetMotor{.turbulence = {.intensity = 0.1f}}},
+                                                    {"pressure", PressureMotor{}}};
+    for (const auto& [name, motor] : motors)
+        rows.push_back({.name = name, .begin = [motor = motor](WindControl& wind) { must(wind.motors().add(motor)); }});
+    rows.push_back({.name = "wake",
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.motors().add(WakeMotor{.position = {-6.0, 0.0, 0.0}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.motors().move(motor_id(), {-6.0 + 0.12 * (n + 1), 0.0, 0.02 * n}));
+                        }});
+    rows.push_back({.name = "shift",
+                    .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.follow({0.11 * n, 0.03 * n, -0.07 * n}));
+                        }});
+    rows.push_back({.name = "rising_floor",
+                    .config = [](Config& c) { c.boundaries = Boundaries::open_over_floor(); },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.motors().add(DirectionalMotor{.position = {0.0, 3.0, 0.0}}));
+                        },
+                    .step = [](WindControl& wind, int n) { must(wind.set_floor(0.05 * n)); }});
+    rows.push_back(
+        {.name = "turning_wind", .step = [](WindControl& wind, int n) {
+             must(wind.set_ambient({6.0f - 0.03f * static_cast<float>(n), 0.0f, 1.0f + 0.02f * static_cast<float>(n)}));
+         }});
+    rows.push_back(
+        {.name = "sides_that_change",
+         .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); },
+         .step =
+             [](WindControl& wind, int n) {
+                 if (n % 40 == 30)
+                     must(wind.set_boundaries(n % 80 == 30 ? Boundaries{.z_low = {BoundaryKind::free_slip}} : Boundaries{}));
+             }});
+    rows.push_back({.name = "sleep",
+                    .config =
+                        [](Config& c) {
+                            c.ambient = glm::vec3(0.0f);
+                            c.relaxation_time = 0.3f; // else it takes 20 s
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.motors().add(DirectionalMotor{.envelope = {.attack = 0.0f, .hold = 0.3f, .decay = 0.1f}}));
+                        }});
+    return rows;
+}
+
+/// Some features at once: obstacles of two kinds that rest, move or turn, and others by chance.
+inline std::vector<Scenario> random_scenarios(int count) {
+    std::vector<Scenario> rows;
+    const auto shapes = detail::scenario_shapes();
+    for (int number = 0; number < count; ++number) {
+        std::mt19937 random(1000 + static_cast<unsigned>(number));
+        const auto pick = [&](std::size_t most) { return random() % most; };
+        std::vector<Scenario> parts;
+        const auto& first = shapes[pick(shapes.size())];
+        const auto& second = shapes[pick(shapes.size())];
+        parts.push_back(detail::obstacle_scenario(first, static_cast<Way>(pick(3)), {-4.0, 0.3, 2.0}, 0));
+        parts.push_back(detail::obstacle_scenario(second, static_cast<Way>(pick(3)), {4.0, -0.4, -2.5}, 1));
+        for (Scenario& row : scenarios())
+            for (const char* const name : {"profile", "gusts", "rough_ground", "canopy", "rows", "directional", "omni", "vortex",
+                                           "jet", "pressure", "turning_wind"})
+                if (row.name == name && pick(3) == 0)
+                    parts.push_back(std::move(row));
+        Scenario both{.name = "random_" + std::to_string(number)};
+        for (const Scenario& part : parts)
+            both.name += "_" + part.name;
+        both.config = [parts](Config& c) {
+            for (const Scenario& part : parts)
+                if (part.config)
+                    part.config(c);
+        };
+        both.begin = [parts](WindControl& wind) {
+            for (const Scenario& part : parts)
+                if (part.begin)
+                    part.begin(wind);
+        };
+        both.step = [parts](WindControl& wind, int n) {
+            for (const Scenario& part : parts)
+                if (part.step)
+                    part.step(wind, n);
+        };
+        rows.push_back(std::move(both));
+    }
+    return rows;
+}
+
+} // namespace windrow::test
