@@ -81,7 +81,9 @@ Diagnostics DeviceWind::run(double dt) const {
 }
 
 WindReader& DeviceWind::reader() const {
-    if ((!read_ || wind_->waits()) && backend_.fault().empty())
+    const auto read = wind_->queried();
+    const bool of_now = read_ && read && read->origin() == wind_->origin() && !wind_->waits();
+    if (!of_now && backend_.fault().empty())
         run(0.0);
     return *wind_;
 }

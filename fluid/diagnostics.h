@@ -89,7 +89,10 @@ struct Diagnostics {
             ReportRow{"cfl", &Diagnostics::cfl, "",
                       "Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would "
                       "cross at once."},
-            ReportRow{"substeps", &Diagnostics::substeps, "", "Number of sub-steps: ceil(cfl / max_cfl), at most max_substeps."},
+            ReportRow{"substeps", &Diagnostics::substeps, "",
+                      "Number of sub-steps: ceil(cfl / max_cfl), at most max_substeps; while obstacles move, of a bound of the "
+                      "speed that is "
+                      "known before the step."},
             ReportRow{"substeps_capped", &Diagnostics::substeps_capped, "",
                       "More sub-steps were needed than allowed: speeds were limited."},
             ReportRow{

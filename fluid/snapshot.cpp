@@ -230,7 +230,7 @@ struct StateFields {
 
     /// The last ticks, from which the sub-steps of the next ones follow; they are the first ticks of the wind that is loaded.
     static void speed(auto& archive, Like<SpeedBound> auto& bound) {
-        auto& [waiting, ticks, last, ambient, gusts, source_flow] = bound;
+        auto& [waiting, ticks, last, ambient, gusts, source_flow, taken] = bound;
         auto count = std::min(last, SpeedBound::k_delay);
         const bool known = last <= SpeedBound::k_delay;
         archive(count, ambient, source_flow, waiting.expected.added, waiting.expected.least);

@@ -97,7 +97,10 @@ void SpeedBound::note(const CellChange& change) {
         waiting_.expected.reset(k_around_bodies * std::max(largest, ambient_));
     } else if (change.kind == Kind::add_wind) {
         waiting_.air.by(ambient_);
-        waiting_.expected.by(more);
+        if (change.factor < 0.0f)
+            taken_ = change.ambient.mean();
+        else
+            waiting_.expected.by(std::max(more, largest_component(change.ambient.mean() - taken_)));
     } else if (change.kind == Kind::add_change && change.to_air) {
         waiting_.air.by(ambient_); // the profile at its top included
         waiting_.expected.by(largest_component(change.change));
@@ -172,7 +175,8 @@ int SpeedBound::substeps(const Config& config, double duration) const {
         since = since.then(at(tick).rises.expected);
     const double wanted = std::ceil(static_cast<double>(since.of(expected_after(from))) * duration /
                                     static_cast<double>(config.cell_size * config.max_cfl));
-    return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(config.max_substeps)));
+    // What is not a number is limited as the fastest air is.
+    return wanted < config.max_substeps ? std::max(static_cast<int>(wanted), 1) : config.max_substeps;
 }
 
 float SpeedBound::after(std::uint64_t read_tick, float largest, float apart) const {

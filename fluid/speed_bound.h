@@ -9,8 +9,9 @@
 // Two decisions need one:
 //
 //   Sub-steps while obstacles move (`substeps`). Each sub-step has its own place of them, so that their number must be known before
-//   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago: a device
-//   has read it back by then, and so both take the same number. While none moves, a backend counts the speed that it finds.
+//   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago. With one
+//   tick a frame and two or three frames in flight a device has read it back by then, and so both take the same number; else it
+//   goes on from an older speed and may take more. While none moves, a backend counts the speed that it finds.
 //
 //   Recording (`after`). A device chooses the number itself where none moves, but its host must record enough of them. The device
 //   reports two speeds, frames late: the largest component of u, and of its difference from the ambient wind A; the smaller of
@@ -87,6 +88,7 @@ class WINDROW_INTERNAL SpeedBound {
     float ambient_ = 0.0f;     ///< [m/s] largest component of A
     float gusts_ = 0.0f;       ///< [m/s] and of what varies of it
     float source_flow_ = 0.0f; ///< [m/s] and of u_S
+    glm::vec3 taken_{0.0f};    ///< [m/s] mean wind of an A that is taken out, until another one is put in
 };
 
 /// [m/s] Largest component that the ambient wind has anywhere in a box, and in `gusts` what varies of it.

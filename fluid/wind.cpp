@@ -17,6 +17,8 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
     detail::check_rows(reasons, config);
     if (detail::holds(k_world_range, config.centre) && !detail::can_hold_point(config, config.centre))
         reasons.add("centre is ", config.centre, " m: give finite numbers within 1e12 cells of the origin.");
+    if (k_world_range.holds(config.floor) && !detail::can_hold_point(config, {0.0, config.floor, 0.0}))
+        reasons.add("floor is ", config.floor, " m: give a finite number within 1e12 cells of the origin.");
     detail::check_follow(reasons, config.follow_axes, config.boundaries, config.rows.has_value());
     if (static_cast<std::size_t>(config.simd) < k_words<Simd>.size() && !runs(config.simd))
         reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
@@ -75,7 +77,7 @@ Result<void> Wind::write_obstacles(std::span<float> cells) const {
     const WindCore& core = state_->core;
     // Bodies that have come into reach of air that sleeps, or of a wind that has not stepped yet, are placed with its next step.
     if (!state_->cells.has_obstacles() || (core.sleep.asleep() && core.obstacles.changed()))
-        return core.write_obstacles(cells);
+        return core.write_obstacles(cells, core.window());
     if (auto fits = detail::check_room("write_obstacles", cells.size(), box()); !fits)
         return fits;
     state_->cells.write_obstacles(cells);

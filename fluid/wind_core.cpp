@@ -176,7 +176,7 @@ Result<void> WindCore::set_floor(double height) {
     const Boundary& floor = config.boundaries.y_low;
     if (!floor.solid())
         return Error{"set_floor needs a solid low y side: set boundaries.y_low to free_slip or no_slip, or use follow."};
-    if (!detail::can_hold_point(config, {0.0, height, 0.0}))
+    if (!k_world_range.holds(height) || !detail::can_hold_point(config, {0.0, height, 0.0}))
         return Error{detail::message("floor height is ", height, " m: give a finite number within 1e12 cells of the origin.")};
     if (!has_room({.gusts = &config.gusts}))
         return detail::out_of_memory();
@@ -249,12 +249,12 @@ Result<void> check_room(const char* call, std::size_t values, const Box& box) {
 
 } // namespace detail
 
-Result<void> WindCore::write_obstacles(std::span<float> cells) const {
+Result<void> WindCore::write_obstacles(std::span<float> cells, const Window& in) const {
     if (auto fits = detail::check_room("write_obstacles", cells.size(), box()); !fits)
         return fits;
     return detail::where_memory_lasts([&]() -> Result<void> {
         std::fill(cells.begin(), cells.end(), 0.0f);
-        const auto standing = obstacles.standing_in(window(), config.boundaries);
+        const auto standing = obstacles.standing_in(in, config.boundaries);
         if (standing.empty())
             return {};
         cpu::Solids found(box(), box().cells.x);

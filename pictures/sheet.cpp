@@ -1,5 +1,7 @@
 #include "pictures/sheet.h"
 
+#include "fluid/message.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,8 +67,8 @@ Picture8 shrunk(const Picture8& picture, int width) {
 
 Result<Picture8> contact_sheet(std::span<const Picture8> pictures, int columns, int width) {
     if (pictures.empty() || columns < 1 || width < 1)
-        return Error{"a contact sheet of " + std::to_string(pictures.size()) + " pictures in " + std::to_string(columns) +
-                     " columns of " + std::to_string(width) + " px cannot be made; give it at least one of each."};
+        return Error{detail::message("a contact sheet of ", pictures.size(), " pictures in ", columns, " columns of ", width,
+                                     " px cannot be made; give it at least one of each.")};
     for (const Picture8& picture : pictures)
         if (picture.width != pictures.front().width || picture.height != pictures.front().height || picture.values.empty())
             return Error{"a contact sheet needs pictures of one size."};

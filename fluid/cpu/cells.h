@@ -163,7 +163,6 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool acts_whole() const;
     void act_whole(float dt);
     void renew_source_flow(std::span<const detail::MotorReach> reached);
-    void renew_sources(const CellStep& step, bool others, Diagnostics& report);
     /// Chooses the number of sub-steps.
     void limit_speeds(const CellStep& step, Diagnostics& report);
     /// [m/s] Most that a component may be where a step of dt [s] in all sub-steps allowed is to carry it.

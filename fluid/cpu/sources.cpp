@@ -151,11 +151,6 @@ void SourceField::limit_drives(float most) {
         }
 }
 
-void SourceField::leave_out(std::span<const Solids::InsideCell> inside) {
-    for (const Solids::InsideCell& cell : inside)
-        leave_out(cell.cell / static_cast<std::size_t>(cells_.x), cell.cell);
-}
-
 void SourceField::leave_out(std::size_t row, std::size_t cell) {
     if (any_force_ && row_holds_force_[row] != 0)
         force_[cell] = glm::vec4(0.0f);

@@ -25,8 +25,6 @@ class WINDROW_INTERNAL SourceField {
     /// largest_driven(), `tile` by motors with eddies.
     void gather(std::span<const detail::MotorReach> motors, const Box& box, std::span<const glm::vec4> velocity,
                 const numerics::TileView& tile, const ParallelFor& parallel_for, std::span<const Solids::InsideCell> inside = {});
-    /// Nothing acts on cells inside obstacles.
-    void leave_out(std::span<const Solids::InsideCell> inside);
 
     /// velocity += factor * f, on the rows that hold a force.
     void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;

@@ -83,7 +83,10 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     const glm::dvec3 phase = wind.phase();
     bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
     loads.begin(dt);
-    const bool others = !bodies_move_ && place_obstacles(step, 0.0, report);
+    // For the first sub-step: volume sources find bodies that move where the air meets them.
+    const int places = std::max(step.substeps, 1);
+    report.substeps = places;
+    const bool others = place_obstacles(step, step.duration * (places - 1) / places, report);
     add_sources(step, others, report);
     limit_speeds(step, report);
     for (int part = 0; part < report.substeps; ++part) {
@@ -91,12 +94,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         wind.set_phase(phase);
         wind.advance(step.duration * (part + 1) / report.substeps);
         next_phase_ = wind.phase();
-        const double early = step.duration * (report.substeps - part - 1) / report.substeps;
-        if (bodies_move_) {
-            const bool placed = place_obstacles(step, early, report);
-            if (part == 0) // sources are renewed once a step
-                renew_sources(step, placed, report);
-        }
+        if (bodies_move_ && part > 0)
+            (void)place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report);
         if (!config_.stages.advection)
             advance_in_place(part_dt, report);
         else if (config_.scheme == Scheme::second_order)
@@ -295,29 +294,15 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     air.fresh = true;
 }
 
-// Of a step in which bodies move, once they are placed for its first sub-step.
-void Cells::renew_sources(const CellStep& step, bool others, Diagnostics& report) {
-    if (others) {
-        sources.leave_out(inside_bodies());
-        seal_sources(step.motors, report);
-    }
-    if (step.renews_sources || (others && has_source_flow()))
-        renew_source_flow(step.motors);
-}
-
 // `other_obstacles`: they were placed anew in this step.
 void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
     OuterStopwatch watch("windrow sources", report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
-    // Bodies that move are placed with the sub-step, and until then are where the box has left.
-    sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for,
-                   bodies_move_ ? std::span<const Solids::InsideCell>() : inside_bodies());
-    if (!bodies_move_)
-        seal_sources(step.motors, report);
+    sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for, inside_bodies());
+    seal_sources(step.motors, report);
     if (acts_whole())
         act_whole(static_cast<float>(step.duration));
-    // Around bodies that move, once they are placed.
-    if (!bodies_move_ && (step.renews_sources || (other_obstacles && has_source_flow())))
+    if (step.renews_sources || (other_obstacles && has_source_flow()))
         renew_source_flow(step.motors);
 }
 

@@ -209,7 +209,7 @@ void Workspace::set_ambient(glm::vec3 ambient) {
 Result<void> Workspace::set_obstacles(std::span<const PlacedObstacle> obstacles) {
     constexpr std::size_t k_most = 65535;
     if (obstacles.size() > k_most)
-        return Error{"there are " + std::to_string(obstacles.size()) + " obstacles: give at most 65535."};
+        return Error{detail::message("there are ", obstacles.size(), " obstacles: give at most 65535.")};
     return detail::where_memory_lasts([&]() -> Result<void> {
         state_->set_obstacles(obstacles);
         return {};

@@ -107,7 +107,7 @@ Air::Recorded DeviceCells::recording_of(const CellStep& step) const {
     if (step.substeps > 0)
         return {.substeps = step.substeps, .limits = step.substeps == wind_.config.max_substeps};
     const AirReport& report = read_backs_.report();
-    const double speed = wind_.speed.after(read_backs_.tick(), report.largest_component, report.apart);
+    const double speed = wind_.speed.after(known_tick(), report.largest_component, report.apart);
     const auto substeps_in = [&](double time) {
         return std::ceil(speed * time / static_cast<double>(wind_.config.cell_size * wind_.config.max_cfl));
     };
@@ -175,7 +175,8 @@ void DeviceCells::continue_from(RestoredAir&& restored) {
     air->make_room_to_restore();
     queue_.clear();
     queue_.make_room();
-    rest = {.tick = wind_.speed.tick()};
+    loaded_tick_ = wind_.speed.tick();
+    rest = {.tick = loaded_tick_};
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

@@ -7,6 +7,7 @@
 #include "fluid/vulkan/saved_air.h"
 #include "fluid/vulkan/work_queue.h"
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -80,6 +81,8 @@ class DeviceCells final : public CellStorage {
     /// Records now, or with the next frame.
     void record(const CellChange& change);
     void report_ambient(const CellStep& step, Diagnostics& report) const;
+    /// The tick whose air is known: read back, or that of the wind that was loaded.
+    [[nodiscard]] std::uint64_t known_tick() const { return std::max(loaded_tick_, read_backs_.tick()); }
     /// As many sub-steps as the bound of the speed asks for.
     [[nodiscard]] Air::Recorded recording_of(const CellStep& step) const;
     [[nodiscard]] bool rests(const CellStep& step) const;
@@ -91,6 +94,7 @@ class DeviceCells final : public CellStorage {
     std::optional<RestoredAir> restored_; ///< of a loaded wind, until its first recording
     std::deque<TickRecorded> dictated_;
     std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
+    std::uint64_t loaded_tick_ = 0;               ///< the last one before this wind was loaded
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
 };
 

@@ -27,8 +27,9 @@ namespace {
 // requests between two frames. Few recordings approach it; a pool of timestamps takes 8 bytes each.
 std::uint32_t laps_of(const Config& config, const Passes& passes) {
     constexpr std::uint64_t k_beside = 32, k_a_tick = 16, k_most = 16384;
-    // Around obstacles: five passes for each further solve, one for rooms; 16 solves in the first step and for sources.
-    const std::uint64_t around = 6 * static_cast<std::uint64_t>(std::max(config.pressure_solves, 2)) + 2, first = 3 * 6 * 16;
+    // Around obstacles: six passes a solve and two for rooms; the first step runs twice, and sources are solved once.
+    const auto passes_of = [&](int most) { return 6 * static_cast<std::uint64_t>(std::max(config.pressure_solves, most)); };
+    const std::uint64_t around = passes_of(k_solves) + 2, first = 3 * passes_of(k_first_solves);
     const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size() + around;
     const std::uint64_t tick =
         k_a_tick + first + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;
@@ -287,7 +288,9 @@ Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
 }
 
 Result<void> Wind::write_obstacles(std::span<float> cells) const {
-    return state_->core.write_obstacles(cells);
+    const RecordedFrame* const read = state_->read_backs.frame();
+    const bool whole = read != nullptr && read->frame.window.cells == box().cells;
+    return state_->core.write_obstacles(cells, whole ? read->frame.window : state_->core.window());
 }
 
 Result<void> Wind::write_pressure(std::span<float>) {
@@ -305,11 +308,12 @@ bool Wind::waits() const {
 }
 
 Result<WindView> Wind::read_view() const {
+    const ReadBack kind = state_->settings.queries;
+    if (kind != ReadBack::cells && kind != ReadBack::box)
+        return Error{"no cells come back from the device: create the wind with Settings::queries of cells or box."};
     if (auto read = queried())
         return *std::move(read);
-    return Error{
-        "no cells have come back yet: create the wind with settings.queries of cells or box, record and submit frames, and "
-        "ask again."};
+    return Error{"no cells have come back yet: record and submit a frame, wait for it, and ask again."};
 }
 
 Result<WindView> Wind::read_previous_view() const {

@@ -121,11 +121,11 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// The error says why nothing was recorded, and the wind is unchanged: no command buffer, a dt that is negative or not
     /// finite, a slot out of range, no host memory, or a read-back that vkInvalidateMappedMemoryRanges does not make visible.
     [[nodiscard]] Result<Advance> record(VkCommandBuffer commands, const Frame& frame);
-    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. Its errors are those of `record`. A dt of 0 is a pause: what was asked for since the
-    /// last frame is recorded, and the textures show it; after `record` they stay at its moment between two ticks. Its
-    /// Diagnostics are as old as those of `record`. In a step above 1 s viscosity acts no further than it may in shorter ones:
-    /// where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time = cell_size^2 / 12),
-    /// and the rest stays as accumulated diffusion time for the next steps.
+    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. Its errors are those of `record`, and its
+    /// Diagnostics as old. A dt of 0 is a pause: what was asked for since the last frame is recorded, and the textures show it;
+    /// after `record` they stay at its moment between two ticks. In a step above 1 s viscosity acts no further than it may in
+    /// shorter ones: where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time =
+    /// cell_size^2 / 12), and the rest stays as accumulated diffusion time for the next steps.
     [[nodiscard]] Result<Diagnostics> record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
@@ -175,7 +175,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first Settings::forces in the
     /// box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose Settings::forces is 0.
     [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const override;
-    /// Obstacles where they are now, which the host rasterises for this call.
+    /// Obstacles where they are now, in the box that was read back last; the host rasterises them for this call.
     Result<void> write_obstacles(std::span<float> cells) const override;
     /// Rejected: a device hands out no pressure.
     Result<void> write_pressure(std::span<float> cells) override;

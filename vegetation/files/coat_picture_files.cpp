@@ -1,6 +1,7 @@
 #include "vegetation/files/coat_picture_files.h"
 
 #include "fluid/input_file.h"
+#include "fluid/message.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -40,16 +41,15 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.width < 1 || spec.height < 1 || spec.width > k_max_picture_side || spec.height > k_max_picture_side ||
         spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 16)
-        return Error{name + " is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels of " +
-                     std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_max_picture_side) +
-                     " a side, of 1 to 16 channels."};
+        return Error{detail::message(name, " is ", spec.width, " x ", spec.height, " texels of ", spec.nchannels,
+                                     " channels; give 1 to ", k_max_picture_side, " a side, of 1 to 16 channels.")};
     // Some codecs decode all channels of a tile, or of the whole picture, at once.
     if (spec.image_bytes(true) > k_max_decoded_bytes)
-        return Error{name + " holds " + std::to_string(spec.image_bytes(true) >> 20) + " MiB; give at most " +
-                     std::to_string(k_max_decoded_bytes >> 20) + " MiB, by fewer texels or channels."};
+        return Error{detail::message(name, " holds ", spec.image_bytes(true) >> 20, " MiB; give at most ",
+                                     k_max_decoded_bytes >> 20, " MiB, by fewer texels or channels.")};
     if (spec.deep || spec.tile_width > k_max_tile_side || spec.tile_height > k_max_tile_side)
-        return Error{name + " has deep texels or tiles of more than " + std::to_string(k_max_tile_side) +
-                     " texels a side; save it as scan lines."};
+        return Error{detail::message(name, " has deep texels or tiles of more than ", k_max_tile_side,
+                                     " texels a side; save it as scan lines.")};
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     // A coat keeps 8 bytes a texel.
     if (auto taken = budget.take_memory(name, 8 * count); !taken)

@@ -1,5 +1,6 @@
 #include "vegetation/fur/coat.h"
 
+#include "fluid/message.h"
 #include "shader_words/coat_skin.h"
 #include "vegetation/vulkan/descriptors.h"
 
@@ -33,23 +34,22 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
     for (const MeshPart& part : parts)
         if (part.count == 0 || part.count % 3 != 0 || part.first > mesh.indices.size() ||
             part.count > mesh.indices.size() - part.first)
-            return Error{"coat.parts names indices " + std::to_string(part.first) + " to " +
-                         std::to_string(std::uint64_t{part.first} + part.count) + "; give whole triangles of the mesh's " +
-                         std::to_string(mesh.indices.size()) + "."};
+            return Error{detail::message("coat.parts names indices ", part.first, " to ", std::uint64_t{part.first} + part.count,
+                                         "; give whole triangles of the mesh's ", mesh.indices.size(), ".")};
     const std::size_t triangles = mesh.indices.size() / 3;
     const auto layers =
         static_cast<std::size_t>(settings.bare ? 1 : std::max(settings.layers.shells, settings.levels.shadow_shells));
     if (triangles * layers > k_max_drawn)
-        return Error{"coat.layers.shells is " + std::to_string(settings.layers.shells) + " over " + std::to_string(triangles) +
-                     " triangles, " + std::to_string(triangles * layers) +
-                     " to draw; give fewer layers or a mesh of fewer: at most " + std::to_string(k_max_drawn) + "."};
+        return Error{detail::message("coat.layers.shells is ", settings.layers.shells, " over ", triangles, " triangles, ",
+                                     triangles * layers, " to draw; give fewer layers or a mesh of fewer: at most ", k_max_drawn,
+                                     ".")};
     const std::uint64_t reach = device.limits().maxStorageBufferRange;
     if (2 * sizeof(CoatSkinBlock) * mesh.vertices.size() > reach)
-        return Error{"coat.mesh has " + std::to_string(mesh.vertices.size()) + " vertices; this device takes " +
-                     std::to_string(reach / (2 * sizeof(CoatSkinBlock))) + " in one mesh: give a coarser one."};
+        return Error{detail::message("coat.mesh has ", mesh.vertices.size(), " vertices; this device takes ",
+                                     reach / (2 * sizeof(CoatSkinBlock)), " in one mesh: give a coarser one.")};
     if (const std::uint64_t bytes = packed_bytes(pictures); bytes > reach)
-        return Error{"coat.maps are " + std::to_string(bytes) + " bytes with their smaller copies; this device takes " +
-                     std::to_string(reach) + ": give smaller pictures."};
+        return Error{detail::message("coat.maps are ", bytes, " bytes with their smaller copies; this device takes ", reach,
+                                     ": give smaller pictures.")};
     if (!glm::all(glm::lessThan(glm::abs(anchor), glm::dvec3(1e10))))
         return Error{"coat.anchor is not finite or too far; give the renderer's own."};
     std::optional<windrow::Cascade> cascade;
@@ -132,8 +132,8 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
 
 Result<void> Coat::judge_bones(std::span<const glm::mat4> bones) const {
     if (!bones.empty() && bones.size() < bones_.size())
-        return Error{"coat.move has " + std::to_string(bones.size()) + " bones; give as many as the mesh's vertices name, " +
-                     std::to_string(bones_.size()) + "."};
+        return Error{detail::message("coat.move has ", bones.size(), " bones; give as many as the mesh's vertices name, ",
+                                     bones_.size(), ".")};
     for (const glm::mat4& bone : bones)
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 4; ++row)
@@ -154,11 +154,10 @@ Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<con
         if (auto judged = judge_bones(ahead->bones); !judged)
             return judged;
         if (!(ahead->seconds > 0.0 && ahead->seconds <= 1.0))
-            return Error{"coat.move's ahead.seconds is " + std::to_string(ahead->seconds) +
-                         "; give a time above 0, at most 1 s."};
+            return Error{detail::message("coat.move's ahead.seconds is ", ahead->seconds, "; give a time above 0, at most 1 s.")};
     }
     if (!std::isfinite(seconds) || seconds < 0.0)
-        return Error{"coat.move's seconds is " + std::to_string(seconds) + "; give the time since the last call, 0 or more."};
+        return Error{detail::message("coat.move's seconds is ", seconds, "; give the time since the last call, 0 or more.")};
     if (cascade_) {
         const auto moved = seconds > 0.0 ? cascade_->advance(seconds, body) : cascade_->reset(body);
         if (!moved)

@@ -1,5 +1,7 @@
 #include "vegetation/fur/coat_pictures.h"
 
+#include "fluid/message.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/packing.hpp>
@@ -13,12 +15,11 @@ using windrow::Result;
 Result<void> judged(const CoatPicture& picture, const char* name) {
     const std::string field = std::string("pictures.") + name;
     if (picture.columns < 0 || picture.rows < 0 || picture.columns > k_max_picture_side || picture.rows > k_max_picture_side)
-        return Error{field + " is " + std::to_string(picture.columns) + " x " + std::to_string(picture.rows) +
-                     " texels; give at most " + std::to_string(k_max_picture_side) + " a side."};
+        return Error{detail::message(field, " is ", picture.columns, " x ", picture.rows, " texels; give at most ",
+                                     k_max_picture_side, " a side.")};
     const auto wanted = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
     if (picture.texels.size() != wanted)
-        return Error{field + " has " + std::to_string(picture.texels.size()) + " texels; give columns times rows, " +
-                     std::to_string(wanted) + "."};
+        return Error{detail::message(field, " has ", picture.texels.size(), " texels; give columns times rows, ", wanted, ".")};
     for (const glm::vec4& texel : picture.texels)
         for (int channel = 0; channel < 3; ++channel)
             if (!std::isfinite(texel[channel]))

@@ -1,5 +1,6 @@
 #include "vegetation/program/picture_reader.h"
 
+#include "fluid/message.h"
 #include "pictures/picture_files.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
@@ -40,10 +41,10 @@ void judge(const PictureScene& scene, JsonObject& picture) {
                                  "is for \"" + name + "\", but no obstacle of $.obstacles has that name: give one of theirs.");
     }
     if (scene.frame_count() > windrow::scene::k_max_frames) {
-        picture.reject("frames_per_second", "is " + figure(scene.frames_per_second()) + " 1/s, which makes " +
-                                                std::to_string(scene.frame_count()) + " pictures: give at most " +
-                                                std::to_string(windrow::scene::k_max_frames) +
-                                                " of them, by a smaller one or a shorter $.duration.");
+        picture.reject("frames_per_second",
+                       detail::message("is ", figure(scene.frames_per_second()), " 1/s, which makes ", scene.frame_count(),
+                                       " pictures: give at most ", windrow::scene::k_max_frames,
+                                       " of them, by a smaller one or a shorter $.duration."));
         return;
     }
     const bool moves = scene.picture.camera.path || scene.picture.camera.target_path;

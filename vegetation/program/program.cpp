@@ -9,6 +9,7 @@
 //     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
 // Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
+#include "fluid/message.h"
 #include "pictures/picture_files.h"
 #include "pictures/sheet.h"
 #include "vegetation/program/picture_reader.h"
@@ -84,8 +85,8 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
     const auto asked = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
     if (asked >= total)
-        return Error{"--from is " + std::to_string(options.from) + " s, after the scene's end at " +
-                     std::to_string(scene.air.duration) + " s; give an earlier moment."};
+        return Error{windrow::detail::message("--from is ", options.from, " s, after the scene's end at ", scene.air.duration,
+                                              " s; give an earlier moment.")};
     const std::int64_t end = options.frames > 0 ? std::min(total, asked + options.frames) : total;
     const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
     const std::int64_t lead = shoot.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;

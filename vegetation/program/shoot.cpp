@@ -1,5 +1,7 @@
 #include "vegetation/program/shoot.h"
 
+#include "fluid/message.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -42,9 +44,9 @@ Result<void> Shoot::make() {
     // As `windrow run` ticks; and no frame is so long that the air would fall behind.
     const double due = std::ceil(scene_.air.tick_hz / frames_per_second_) + 1.0;
     if (due > k_max_ticks)
-        return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_max_ticks - 1) +
-                     " ticks in each of " + std::to_string(frames_per_second_) +
-                     " frames a second; give fewer ticks or more frames a second."};
+        return Error{detail::message("$.tick_hz is ", scene_.air.tick_hz, " Hz, more than ", k_max_ticks - 1,
+                                     " ticks in each of ", frames_per_second_,
+                                     " frames a second; give fewer ticks or more frames a second.")};
     air.ticks = {.hz = scene_.air.tick_hz, .max_per_call = static_cast<int>(due)};
     if (!settings_.wind) {
         air.ambient = glm::vec3(0.0f);

@@ -2,6 +2,7 @@
 
 #include "coupling/plant_vertex.h"
 #include "coupling/spring.h"
+#include "fluid/message.h"
 #include "shader_words/tree_bark_frag.h"
 #include "shader_words/tree_bark_vert.h"
 #include "shader_words/tree_leaf_frag.h"
@@ -65,8 +66,8 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
     for (const TreeModel& model : models)
         groups = std::max(groups, (model.parts.size() + k_group - 1) / k_group);
     if (groups * places.size() > k_max_groups)
-        return windrow::Error{"stand.places has " + std::to_string(places.size()) + " trees; give at most " +
-                              std::to_string(k_max_groups / groups) + " of this kind, or several stands."};
+        return windrow::Error{detail::message("stand.places has ", places.size(), " trees; give at most ", k_max_groups / groups,
+                                              " of this kind, or several stands.")};
     return engine::guarded(
         [&] { return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor)); });
 }

@@ -1,5 +1,7 @@
 #include "vegetation/vulkan/cpu_wind.h"
 
+#include "fluid/message.h"
+
 #include <glm/common.hpp>
 #include <vulkan/vulkan.h>
 
@@ -43,8 +45,8 @@ Result<std::unique_ptr<CpuWind>> CpuWind::create(Device& device, windrow::Wind a
     const glm::ivec3 cells = air.box().cells;
     const int most = glm::max(glm::max(cells.x, cells.y), cells.z), limit = static_cast<int>(device.limits().maxImageDimension3D);
     if (most > limit)
-        return Error{"the box has " + std::to_string(most) + " cells along an axis, and this device's textures have at most " +
-                     std::to_string(limit) + "; give fewer cells."};
+        return Error{detail::message("the box has ", most, " cells along an axis, and this device's textures have at most ",
+                                     limit, "; give fewer cells.")};
     return guarded([&] { return std::unique_ptr<CpuWind>(new CpuWind(device, std::move(air))); });
 }
 
@@ -66,7 +68,7 @@ CpuWind::CpuWind(Device& device, windrow::Wind air) : objects_(device), air_(std
 
 Result<void> CpuWind::record(VkCommandBuffer commands, int slot_number) {
     if (slot_number < 0 || slot_number >= k_frames_in_flight)
-        return Error{"slot is " + std::to_string(slot_number) + "; give 0 to " + std::to_string(k_frames_in_flight - 1) + "."};
+        return Error{detail::message("slot is ", slot_number, "; give 0 to ", k_frames_in_flight - 1, ".")};
     if (air_.box().cells != cells_)
         return Error{"the air has other cells than the one that this was made for; make another CpuWind for it."};
     return guarded([&] {

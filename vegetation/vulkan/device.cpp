@@ -1,5 +1,6 @@
 #include "vegetation/vulkan/device.h"
 
+#include "fluid/message.h"
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/vulkan/buffer_memory.h"
 #include "vegetation/vulkan/objects.h"
@@ -35,8 +36,9 @@ Result<void> check_queue(const vulkan::Host& host, VkQueue queue) {
     vkGetPhysicalDeviceQueueFamilyProperties(host.physical_device, &count, families.data());
     constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
     if (host.queue_family >= count || (families[host.queue_family].queueFlags & both) != both)
-        return Error{"queue_family " + std::to_string(host.queue_family) +
-                     " does not draw and compute: give one with VK_QUEUE_GRAPHICS_BIT and VK_QUEUE_COMPUTE_BIT."};
+        return Error{
+            detail::message("queue_family ", host.queue_family,
+                            " does not draw and compute: give one with VK_QUEUE_GRAPHICS_BIT and VK_QUEUE_COMPUTE_BIT.")};
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "vegetation/vulkan/objects.h"
 
+#include "fluid/message.h"
 #include "vegetation/vulkan/buffer_memory.h"
 
 #include <algorithm>
@@ -11,8 +12,9 @@ namespace {
 // A piece that goes back with its owner.
 vulkan::MemoryPiece kept(Objects& objects, BufferMemory& memory, VkDeviceSize bytes, const Result<vulkan::MemoryPiece>& piece) {
     if (!piece)
-        throw Failure("the renderer needs " + std::to_string(bytes) +
-                      " more bytes of device memory: give a smaller picture or fewer plants. (" + piece.error() + ")");
+        throw Failure(detail::message("the renderer needs ", bytes,
+                                      " more bytes of device memory: give a smaller picture or fewer plants. (", piece.error(),
+                                      ")"));
     objects.at_end([&memory, held = *piece] { memory.release(held); });
     return *piece;
 }
@@ -45,9 +47,9 @@ Buffer Objects::buffer(Use use, VkDeviceSize bytes, VkBufferUsageFlags usage) {
 }
 
 VkBuffer Objects::storage(const char* name, const char* fix, VkDeviceSize bytes, VkBufferUsageFlags usage) {
-    const std::string what = std::string(name) + " need " + std::to_string(bytes) + " bytes in one buffer";
+    const std::string what = detail::message(name, " need ", bytes, " bytes in one buffer");
     if (const VkDeviceSize reach = device_->limits().maxStorageBufferRange; bytes > reach)
-        throw Failure(what + ", of which this device's shaders reach " + std::to_string(reach) + ": " + fix + ".");
+        throw Failure(detail::message(what, ", of which this device's shaders reach ", reach, ": ", fix, "."));
     try {
         return buffer(Use::work, bytes, usage).buffer;
     } catch (const Failure& failure) {
