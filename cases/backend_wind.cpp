@@ -14,6 +14,7 @@ class CpuWind final : public BackendWind {
   public:
     explicit CpuWind(std::unique_ptr<Wind> wind) : BackendWind(*wind), wind_(std::move(wind)) {}
     Diagnostics step(double dt) override { return wind_->step(dt); }
+    [[nodiscard]] Wind* on_cpu() override { return wind_.get(); }
     [[nodiscard]] WindReader& reader() const override { return *wind_; }
 
   private:

@@ -75,6 +75,8 @@ class BackendWind : public WindControl {
     /// why.
     virtual Diagnostics step(double dt) = 0;
 
+    /// The wind itself where it is on the CPU; else null.
+    [[nodiscard]] virtual Wind* on_cpu() { return nullptr; }
     /// Of now; what it returns is good until the next step or change.
     [[nodiscard]] virtual WindReader& reader() const = 0;
     /// Where a device failed, its cells are no numbers.

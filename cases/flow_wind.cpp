@@ -1,6 +1,7 @@
 #include "cases/flow_wind.h"
 
 #include "cases/cell_values.h"
+#include "fluid/wind_state.h"
 
 namespace windrow::cases {
 
@@ -27,6 +28,10 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
         return Error{wind.error()};
     FlowWind made;
     made.wind_ = *std::move(wind);
+    if (Wind* const own = made.wind_->on_cpu()) {
+        made.other_solve_ = std::make_unique<reference::OtherSolve>(*own);
+        made.set_method(settings.method);
+    }
     made.motion_ = flow.motion;
     for (const Motor& motor : flow.motors) {
         const auto added = made.wind_->motors().add(motor);
@@ -41,6 +46,16 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
     return made;
 }
 
+void FlowWind::set_method(const Method& method) {
+    Wind* const wind = wind_->on_cpu();
+    if (wind == nullptr)
+        return;
+    Config& config = wind->state().core.config;
+    config.scheme = method.scheme;
+    config.interpolation = method.interpolation;
+    other_solve_->exchange(*wind, method.pressure);
+}
+
 void FlowWind::begin() {
     if (start_.empty())
         wind_->reset();
@@ -53,15 +68,6 @@ void FlowWind::step(double dt) {
     if (motion_)
         static_cast<void>(wind_->motors().move(first_, motion_(time_))); // finite, and the motor has no end
     wind_->step(dt);
-}
-
-Result<reference::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
-                                              const ParallelFor& parallel_for) {
-    return reference::ComposedStep::create({.box = box_of(flow, cells),
-                                            .ambient = glm::vec3(flow.mean),
-                                            .motors = flow.motors,
-                                            .simd = simd,
-                                            .parallel_for = parallel_for});
 }
 
 } // namespace windrow::cases

@@ -1,4 +1,4 @@
-// What runs a flow of `windrow pareto` by one of its methods, raw: a wind, or its step with another pressure solve.
+// What runs a flow of `windrow pareto` by its methods: a wind, on the CPU also with another pressure solve.
 #pragma once
 
 #include "cases/backend_wind.h"
@@ -14,13 +14,15 @@ namespace windrow::cases {
 class FlowWind {
   public:
     struct FlowSettings {
-        Method method = k_default_method; ///< of direct pressure: a wind has no other
+        Method method = k_default_method; ///< on a device of direct pressure
         Simd simd = Simd::best;
         ParallelFor parallel_for{};
     };
     [[nodiscard]] static Result<FlowWind> create(const ParetoFlow& flow, glm::ivec3 cells, const FlowSettings& settings,
                                                  const Backend& backend = {});
 
+    /// Of the next steps, whose history is then the other's. A device keeps the one that it was created with.
+    void set_method(const Method& method);
     /// The flow's start again, without history. Gusts and motors go on.
     void begin();
     /// Moves the first motor to where the flow has it at the step's end, and steps.
@@ -32,15 +34,12 @@ class FlowWind {
   private:
     FlowWind() = default;
 
+    std::unique_ptr<reference::OtherSolve> other_solve_; ///< on the CPU; before the wind, which refers to it
     std::unique_ptr<BackendWind> wind_;
     std::vector<glm::vec4> start_;
     std::function<glm::dvec3(double t)> motion_;
     MotorId first_{};
     double time_ = 0.0; ///< [s]
 };
-
-/// For flows that do not need a wind.
-[[nodiscard]] Result<reference::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
-                                                            const ParallelFor& parallel_for);
 
 } // namespace windrow::cases

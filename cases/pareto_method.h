@@ -3,7 +3,7 @@
 
 #include "cases/backend_wind.h"
 #include "cases/pareto_flow.h"
-#include "cases/reference/composed_step.h"
+#include "cases/reference/other_solve.h"
 
 #include <array>
 #include <string>
@@ -12,7 +12,13 @@
 namespace windrow::cases {
 
 using reference::Pressure;
-using Method = reference::StepMethod;
+
+struct Method {
+    Scheme scheme = Scheme::second_order;
+    Interpolation interpolation = Interpolation::cubic;
+    Pressure pressure = Pressure::direct;
+    friend bool operator==(const Method&, const Method&) = default;
+};
 
 inline constexpr std::array k_schemes = {Scheme::second_order, Scheme::stable_fluids};
 inline constexpr std::array k_advections = {Interpolation::cubic, Interpolation::linear};

@@ -4,7 +4,7 @@
 //
 // 1. Say what the picture is of: a Scene has the eye, the sun, the fog, the ground, the plants and their look, the wind.
 // 2. Make the engine's device, lend it to the wind (examples/embed_vulkan.cpp says more), and give it to the renderer.
-// 3. Add what is to be drawn: here blades at places that the host has chosen. Whatever derives from render::Drawable will do.
+// 3. Add what is to be drawn: here a layer of grass on all of the ground. Whatever derives from render::Drawable will do.
 // 4. In each frame record the wind, then the renderer: shadows, light, motion since the last frame, the toned picture.
 
 #include <charconv>
@@ -14,17 +14,24 @@
 #include <filesystem>
 #include <string_view>
 #include <vulkan/vulkan.h>
-#include <windrow/coupling/plant_classes.h>
-#include <windrow/vegetation/render/blades.h>
+#include <windrow/vegetation/render/grass_layer.h>
 #include <windrow/vegetation/render/renderer.h>
 
 using namespace windrow::vegetation;
 
 namespace {
 
-[[noreturn]] void give_up(const std::string& sentence, int code) {
+[[noreturn]] void give_up(const std::string& sentence, int code = 2) {
     std::fprintf(stderr, "%s\n", sentence.c_str());
     std::exit(code);
+}
+
+template <class T>
+T held(windrow::Result<T> result, int code = 2) {
+    if (!result)
+        give_up(result.error(), code);
+    if constexpr (!std::is_void_v<T>)
+        return *std::move(result);
 }
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]
@@ -39,9 +46,16 @@ render::Ground hills() {
         const double far = 1.0 - std::exp(-(x * x + z * z) / (40.0 * 40.0));
         return static_cast<float>(hill * far + 0.12 * std::sin(0.4 * x) * std::sin(0.37 * z));
     });
-    if (!heights)
-        give_up(heights.error(), 2);
-    return {.corner = k_field - glm::dvec3(200.0, 0.0, 320.0), .heights = *std::move(heights)};
+    return {.corner = k_field - glm::dvec3(200.0, 0.0, 320.0), .heights = held(std::move(heights))};
+}
+
+// Blades, 14 along a metre of each axis: longer than a meadow's, with its stiffness. They are fewer and wider from 3 m on, have
+// half of their vertices from 9 m on, and end at 45 m, where the ground has their colour.
+grass::GrassSettings meadow() {
+    grass::GrassSettings field{
+        .density = 14.0f, .split_distance = 9.0f, .cut_distance = 45.0f, .thin_from = 3.0f, .thin_power = 1.45f};
+    field.blade = {.stalk = {.length = 0.36f}, .width = 0.012f, .rest_bend = 0.6f, .rest_bend_spread = 0.35f, .view_bend = 0.3f};
+    return field;
 }
 
 render::Scene grassland() {
@@ -51,8 +65,7 @@ render::Scene grassland() {
     scene.camera.target = scene.camera.position + glm::dvec3(0.0, -0.85, -10.0);
     scene.camera.exposure = 0.72f;
     scene.fog.base = k_field.y;
-    scene.plants = {.stalk = windrow::grass(), .width = 0.009f, .rest_bend = 0.6f, .rest_bend_spread = 0.35f, .view_bend = 0.3f};
-    scene.plants.stalk.length = 0.36f;
+    scene.plants = meadow().blade; // what the ground far away looks like
     windrow::Config& wind = scene.wind.wind;
     wind.cells = {48, 12, 48};
     wind.cell_size = 0.5f;
@@ -71,18 +84,6 @@ render::Scene grassland() {
     return scene;
 }
 
-template <class T>
-T held(windrow::Result<T> result, int code) {
-    if (!result)
-        give_up(result.error(), code);
-    return *std::move(result);
-}
-
-void check(const windrow::Result<void>& result) {
-    if (!result)
-        give_up(result.error(), 2);
-}
-
 } // namespace
 
 int main(int argument_count, char** arguments) {
@@ -93,32 +94,33 @@ int main(int argument_count, char** arguments) {
         const auto read = std::from_chars(text.data(), text.data() + text.size(), frames_wanted);
         if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || frames_wanted < 1 || frames_wanted > 9999 ||
             argument_count > 3)
-            give_up("usage: draw_grass [FRAMES [FOLDER]], FRAMES from 1 to 9999", 2);
+            give_up("usage: draw_grass [FRAMES [FOLDER]], FRAMES from 1 to 9999");
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
+        give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.");
 
     const render::Scene scene = grassland();
     const auto device = held(engine::Device::create(), 3);
     auto wind =
         held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
-    check(wind.set_floor(k_field.y));
+    held(wind.set_floor(k_field.y));
     for (const windrow::Motor& motor : scene.wind.motors)
-        (void)held(wind.motors().add(motor), 2);
+        (void)held(wind.motors().add(motor));
 
-    const auto renderer = held(render::Renderer::create(*device, scene, {.width = 640, .height = 360, .anchor = k_field}), 2);
-    const auto places =
-        held(render::scatter({.eye = scene.camera.position, .target = scene.camera.target}, scene.ground, k_field), 2);
-    const auto grass = held(render::BladeGrid::create(*device, renderer->draw_targets(), scene.plants, scene.look, places), 2);
-    renderer->add(*grass);
+    const auto renderer = held(render::Renderer::create(*device, scene, {.width = 640, .height = 360, .anchor = k_field}));
+    const auto everywhere = held(grass::PlacementMask::create({2, 2}, scene.ground.heights.extent(), 1.0f));
+    const auto layer = held(render::GrassLayer::create(*device, renderer->draw_targets(), scene.ground, everywhere,
+                                                       {.field = meadow(), .look = scene.look}));
+    layer->set_time_step(k_frame); // its blades swing
+    renderer->add(*layer);
 
     const auto frames = held(engine::Frames::create(*device), 3);
     for (double time = 0.0; time < k_settle; time += k_frame) { // gusts reach the box's middle
         const engine::Frame frame = held(frames->begin(), 1);
         (void)held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}), 1);
-        check(frames->submit(frame));
+        held(frames->submit(frame));
     }
     for (int n = 1; n <= frames_wanted; ++n) {
         const engine::Frame frame = held(frames->begin(), 1);
@@ -126,18 +128,19 @@ int main(int argument_count, char** arguments) {
         (void)held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}), 1);
         render::Camera camera = scene.camera;
         camera.position.x += 0.25 * k_frame * n; // a slow step aside
-        check(renderer->record(frame, camera, wind));
+        held(renderer->record(frame, camera, wind));
         renderer->copy(frame);
-        check(frames->finish(frame));
+        held(frames->finish(frame));
         renderer->clock().collect(frame.slot);
         char name[32];
         std::snprintf(name, sizeof name, "frame_%04d.ppm", n);
-        check(render::write_ppm(renderer->images().picture(), folder / name));
+        held(render::write_ppm(renderer->images().picture(), folder / name));
     }
 
-    std::printf("%s: %d frames of 640 x 360 px, %u blades, %.1f MiB beside the wind's %.1f MiB, in %s\n", device->name().c_str(),
-                frames_wanted, grass->count(), static_cast<double>(device->memory_bytes()) / 1048576.0,
-                static_cast<double>(wind.memory_bytes()) / 1048576.0, folder.string().c_str());
+    std::printf("%s: %d frames of 640 x 360 px, %d chunks of grass, %.1f MiB beside the wind's %.1f MiB, in %s\n",
+                device->name().c_str(), frames_wanted, layer->report().colour_chunks,
+                static_cast<double>(device->memory_bytes()) / 1048576.0, static_cast<double>(wind.memory_bytes()) / 1048576.0,
+                folder.string().c_str());
     for (const render::StageTime& stage : renderer->clock().times())
         std::printf("%-8s %10.0f us\n", stage.name, stage.us);
     return 0;

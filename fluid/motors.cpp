@@ -3,7 +3,6 @@
 #include "fluid/event_log.h"
 #include "fluid/gust_tile.h"
 #include "fluid/message.h"
-#include "fluid/owner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,80 +49,50 @@ bool stirs(const Motor& motor) {
         motor);
 }
 
-// Form of an id in a log: valid for any wind that starts from the same snapshot.
-MotorId unowned(MotorId id) {
-    return {.slot = id.slot, .generation = id.generation};
-}
-
 } // namespace
 
-Motors::Motors() : owner_(detail::next_owner()) {}
+Motors::Motors() : list_({"motor", "removed, ended, or never added"}, k_capacity) {}
 
 Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)
         return Error{valid.error()};
-    if (free_.empty() && slots_.size() >= k_capacity)
-        return Error{detail::message("there are already ", count_, " motors: remove some; a wind has at most ", k_capacity, ".")};
+    if (auto room = list_.check_room(); !room)
+        return Error{room.error()};
     const bool has_room = detail::memory_lasts([&] {
-        if (free_.empty() && slots_.size() == slots_.capacity())
-            slots_.reserve(std::max<std::size_t>(1, 2 * slots_.capacity()));
-        free_.reserve(slots_.capacity()); // a motor that ends in a step goes back there without allocating
+        list_.make_room();
         reserve_reach(&motor);
     });
     if (!has_room)
         return detail::out_of_memory();
-    std::uint32_t index = 0;
-    if (!free_.empty()) {
-        index = free_.back();
-        free_.pop_back();
-    } else {
-        index = static_cast<std::uint32_t>(slots_.size());
-        slots_.emplace_back();
-    }
-    Slot& slot = slots_[index];
-    slot.motor = prepared(motor);
-    slot.track = Track(position_of(motor));
-    slot.age = 0.0;
-    slot.used = slot.named_here = true;
-    ++slot.generation;
-    ++count_;
-    const MotorId id{index, slot.generation, owner_};
+    const MotorId id = list_.add();
+    start(list_[id.slot], motor);
     if (log_ != nullptr)
-        log_->note(MotorAdded{unowned(id), motor});
+        log_->note(MotorAdded{id.unowned(), motor});
     return id;
 }
 
-Result<Motors::Slot*> Motors::slot_of(MotorId id) {
-    Slot* const slot = id.slot < slots_.size() ? &slots_[id.slot] : nullptr;
-    if (slot != nullptr && slot->used && slot->generation == id.generation) {
-        if (id.owner == 0 || id.owner == owner_ || !slot->named_here)
-            return slot;
-        return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
-                                     " belongs to another wind: use the handle that add() of this one returned.")};
-    }
-    return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
-                                 " does not exist (removed, ended, or never added): use the handle that add() returned.")};
+void Motors::start(Slot& slot, const Motor& motor) {
+    slot.motor = prepared(motor);
+    slot.track = Track(position_of(motor));
+    slot.age = 0.0;
 }
 
 Result<void> Motors::set(MotorId id, const Motor& motor) {
-    const auto found = slot_of(id);
+    const auto found = list_.find(id);
     if (!found)
         return Error{found.error()};
-    Slot* const slot = *found;
     if (auto valid = validate(motor); !valid)
         return valid;
     if (!detail::memory_lasts([&] { reserve_reach(&motor); }))
         return detail::out_of_memory();
-    slot->motor = prepared(motor);
-    slot->track = Track(position_of(motor));
-    slot->age = 0.0;
+    start(**found, motor);
     if (log_ != nullptr)
-        log_->note(MotorSet{unowned(id), motor});
+        log_->note(MotorSet{id.unowned(), motor});
     return {};
 }
 
 Result<void> Motors::move(MotorId id, glm::dvec3 position) {
-    const auto found = slot_of(id);
+    const auto found = list_.find(id);
     if (!found)
         return Error{found.error()};
     Slot* const slot = *found;
@@ -132,23 +101,17 @@ Result<void> Motors::move(MotorId id, glm::dvec3 position) {
     std::visit([&](auto& kind) { kind.position = position; }, slot->motor);
     slot->track.move_to(position);
     if (log_ != nullptr)
-        log_->note(MotorMoved{unowned(id), position});
+        log_->note(MotorMoved{id.unowned(), position});
     return {};
 }
 
 Result<void> Motors::remove(MotorId id) {
-    if (const auto found = slot_of(id); !found)
+    if (const auto found = list_.find(id); !found)
         return Error{found.error()};
-    release(id.slot);
+    list_.release(id.slot);
     if (log_ != nullptr)
-        log_->note(MotorRemoved{unowned(id)});
+        log_->note(MotorRemoved{id.unowned()});
     return {};
-}
-
-void Motors::release(std::uint32_t index) {
-    slots_[index].used = false;
-    free_.push_back(index);
-    --count_;
 }
 
 // Called before a motor is added or changes kind, so that a step does not allocate: a wake may reach the box with several
@@ -160,7 +123,7 @@ void Motors::reserve_reach(const Motor* more) {
             throw std::bad_alloc();
         most += std::holds_alternative<WakeMotor>(motor) ? std::size_t{Track::k_max_segments} : 1;
     };
-    for (const Slot& slot : slots_)
+    for (const Slot& slot : slots())
         if (slot.used)
             count(slot.motor);
     if (more != nullptr)
@@ -170,32 +133,32 @@ void Motors::reserve_reach(const Motor* more) {
 }
 
 bool Motors::has_volume_source() const {
-    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+    return std::any_of(slots().begin(), slots().end(), [](const Slot& slot) {
         return slot.used && (std::holds_alternative<OmniMotor>(slot.motor) || std::holds_alternative<PressureMotor>(slot.motor));
     });
 }
 
 const Motor* Motors::find(MotorId id) const {
-    const auto slot = const_cast<Motors*>(this)->slot_of(id);
+    const auto slot = list_.find(id);
     return slot ? &(*slot)->motor : nullptr;
 }
 
 void Motors::begin_frame(double lead, double duration) {
-    for (Slot& slot : slots_)
+    for (Slot& slot : list_.slots())
         if (slot.used)
             slot.track.begin_frame(lead, duration);
 }
 
 void Motors::squeeze(double factor) {
-    for (Slot& slot : slots_)
+    for (Slot& slot : list_.slots())
         if (slot.used)
             slot.track.squeeze(factor);
 }
 
 std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Boundaries& boundaries) {
     std::size_t count = 0;
-    for (std::uint32_t index = 0; index < slots_.size(); ++index) {
-        Slot& slot = slots_[index];
+    for (std::uint32_t index = 0; index < list_.size(); ++index) {
+        Slot& slot = list_[index];
         if (!slot.used)
             continue;
         const auto path = slot.track.tick(duration);
@@ -205,7 +168,7 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
         count += reaching;
         slot.age += duration;
         if (slot.age >= end_of(slot.motor))
-            release(index);
+            list_.release(index); // room is made
     }
     const std::span<detail::MotorReach> reached = std::span(reach_).first(count);
     std::sort(reached.begin(), reached.end(), detail::before);
@@ -214,7 +177,7 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
 
 int Motors::lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const {
     const glm::dvec3 low = window.origin(), size = window.size();
-    return static_cast<int>(std::count_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+    return static_cast<int>(std::count_if(slots().begin(), slots().end(), [&](const Slot& slot) {
         if (!slot.used || slot.reaches)
             return false;
         const glm::dvec3 from_low = position_of(slot.motor) - low;
@@ -227,8 +190,7 @@ int Motors::lost(const Window& window, const Boundaries& boundaries, glm::bvec3 
 }
 
 std::size_t Motors::memory_bytes() const {
-    return slots_.capacity() * sizeof(Slot) + reach_.capacity() * sizeof(detail::MotorReach) +
-           free_.capacity() * sizeof(std::uint32_t) + (tile_ ? tile_->memory_bytes() : 0);
+    return list_.memory_bytes() + reach_.capacity() * sizeof(detail::MotorReach) + (tile_ ? tile_->memory_bytes() : 0);
 }
 
 } // namespace windrow

@@ -1,5 +1,4 @@
-// The motors of one wind: a list in world space (double) that may change while the wind runs. A handle has a generation, so that
-// a stale handle is rejected and never moves another motor.
+// The motors of one wind: a list in world space (double) that may change while the wind runs.
 //
 // The effect on the air does not depend on the order in which motors were added: a cell sums them in a fixed order.
 #pragma once
@@ -9,6 +8,7 @@
 #include "motor.h"
 #include "motor_reach.h"
 #include "result.h"
+#include "slot_list.h"
 #include "track.h"
 
 #include <cstddef>
@@ -20,16 +20,8 @@ namespace windrow {
 
 class EventLog;
 
-/// Handle of a motor of one Motors object. A default handle names none.
-struct MotorId {
-    std::uint32_t slot = 0;
-    std::uint32_t generation = 0; ///< 0 names no motor
-    /// Number of the Motors object, unique in the process, so that a handle of another wind is rejected. Default 0: not checked,
-    /// for a handle that was sent as slot and generation.
-    std::uint32_t owner = 0;
-    /// The same slot and generation: also of a wind and of its copy that was loaded.
-    friend bool operator==(MotorId a, MotorId b) { return a.slot == b.slot && a.generation == b.generation; }
-};
+/// Handle of a motor of one Motors object: slot, generation, owner.
+using MotorId = Handle<class Motors>;
 
 /// The motors of one Wind, at most 4096. A handle that was removed, or that another wind gave, is rejected. The motors of a wind
 /// that was loaded keep their handles.
@@ -52,7 +44,7 @@ class WINDROW_API Motors {
 
     /// The motor as it stands, direction normalised; null for a stale handle.
     [[nodiscard]] const Motor* find(MotorId id) const;
-    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int count() const { return list_.count(); }
     [[nodiscard]] std::size_t memory_bytes() const;
 
     /// One slot of the list, as the step reads it.
@@ -74,7 +66,7 @@ class WINDROW_API Motors {
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Boundaries& boundaries);
-    [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    [[nodiscard]] std::span<const Slot> slots() const { return list_.slots(); }
     /// Motors that reached no air in the last tick and never will where they are: under the ground, or farther outside of the box
     /// than its size, on an axis along which it does not follow.
     [[nodiscard]] int lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const;
@@ -90,18 +82,14 @@ class WINDROW_API Motors {
   private:
     friend struct StateFields; // snapshot.cpp: bytes and back
 
-    [[nodiscard]] Result<Slot*> slot_of(MotorId id);
-    void release(std::uint32_t index);
+    void start(Slot& slot, const Motor& motor);
     /// Room for what a tick of all motors returns, and of `more` (null: none). Changes nothing that the air feels.
     void reserve_reach(const Motor* more);
 
-    std::vector<Slot> slots_;
+    detail::SlotList<Slot, Motors> list_;
     std::vector<detail::MotorReach> reach_; ///< room for all that a tick can return
-    std::vector<std::uint32_t> free_;
-    std::shared_ptr<const GustTile> tile_; ///< standard, held from the first motor with eddies on
-    int count_ = 0;
+    std::shared_ptr<const GustTile> tile_;  ///< standard, held from the first motor with eddies on
     EventLog* log_ = nullptr;
-    std::uint32_t owner_;
 };
 
 } // namespace windrow

@@ -35,19 +35,6 @@ template <class Number>
     return std::abs(glm::length(glm::dquat(orientation)) - 1.0) < 1e-3;
 }
 
-[[nodiscard]] inline int count_used(const auto& slots) {
-    return static_cast<int>(std::count_if(slots.begin(), slots.end(), [](const auto& slot) { return slot.used; }));
-}
-
-inline void check_free(Reader& reader, const auto& slots, std::span<const std::uint32_t> free, const char* reason) {
-    std::vector<bool> listed(slots.size());
-    for (const std::uint32_t index : free) {
-        if (reader.rejected() || index >= listed.size() || listed[index] || slots[index].used)
-            return reader.reject(reason);
-        listed[index] = true;
-    }
-}
-
 void fields(auto& archive, Like<BodyPose> auto& pose) {
     auto& [position, orientation] = pose;
     archive(position, orientation);
@@ -95,6 +82,51 @@ struct PathFields {
     static bool lies_within(const Track& track, double most) { return lies_within(track.path_, most); }
 };
 
+/// Access to the private members of a list with handles.
+struct SlotFields {
+    static constexpr std::size_t k_min_bytes = 5; ///< of a slot
+
+    /// The slots, each by write_slot(slot). False where they cannot be read.
+    static bool slots(auto& archive, auto& list, const char* too_many, const auto& write_slot) {
+        std::uint32_t size = list.size();
+        archive(size);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(size <= list.most_, too_many);
+            if (!archive.can_hold(size, k_min_bytes))
+                return false;
+            list.slots_.resize(size);
+        }
+        for (auto& slot : list.slots_)
+            write_slot(slot);
+        return true;
+    }
+
+    /// Which of them are free, after `slots`. False where they cannot be read.
+    static bool free(auto& archive, auto& list, const char* no_match) {
+        if constexpr (detail::Reading<decltype(archive)>) {
+            const auto used = std::count_if(list.slots_.begin(), list.slots_.end(), [](const auto& slot) { return slot.used; });
+            list.count_ = static_cast<int>(used);
+            list.free_.reserve(list.slots_.capacity());
+            list.free_.resize(list.slots_.size() - static_cast<std::size_t>(used));
+            if (!archive.can_hold(list.free_.size(), sizeof(std::uint32_t)))
+                return false;
+        }
+        for (auto& index : list.free_)
+            archive(index);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            std::vector<bool> listed(list.slots_.size());
+            for (const std::uint32_t index : list.free_) {
+                if (archive.rejected() || index >= listed.size() || listed[index] || list.slots_[index].used) {
+                    archive.reject(no_match);
+                    return false;
+                }
+                listed[index] = true;
+            }
+        }
+        return true;
+    }
+};
+
 namespace detail {
 
 void fields(auto& archive, Like<cpu::Push> auto& push) {
@@ -127,33 +159,23 @@ struct ObstacleFields {
     }
 
     static void obstacles(auto& archive, detail::Like<Obstacles> auto& obstacles) {
-        auto& [slots, free, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, count,
-               visited, log, owner] = obstacles;
-        auto size = static_cast<std::uint32_t>(slots.size()), in_motion = static_cast<std::uint32_t>(motions.size());
-        archive(size);
-        if constexpr (detail::Reading<decltype(archive)>) {
-            archive.require(size <= Obstacles::k_capacity, "it has more obstacles than fit.");
-            if (!archive.can_hold(size, 5))
-                return;
-            slots.resize(size);
-        }
-        for (auto& slot : slots)
-            ObstacleFields::slot(archive, slot);
+        auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, visited, log] =
+            obstacles;
+        auto in_motion = static_cast<std::uint32_t>(motions.size());
+        if (!SlotFields::slots(archive, list, "it has more obstacles than fit.",
+                               [&](auto& slot) { ObstacleFields::slot(archive, slot); }))
+            return;
         archive(in_motion);
         if constexpr (detail::Reading<decltype(archive)>) {
-            archive.require(in_motion <= size, "more obstacles move than there are.");
+            archive.require(in_motion <= list.size(), "more obstacles move than there are.");
             if (!archive.can_hold(in_motion, sizeof(BodyPose)))
                 return;
             motions.resize(in_motion);
-            count = detail::count_used(slots);
-            free.resize(slots.size() - static_cast<std::size_t>(count));
-            if (!archive.can_hold(free.size(), sizeof(std::uint32_t)))
-                return;
         }
         for (auto& motion : motions)
             ObstacleFields::motion(archive, motion);
-        for (auto& index : free)
-            archive(index);
+        if (!SlotFields::free(archive, list, "its list of free obstacles does not match its obstacles."))
+            return;
         archive(ticked, window.origin_cells, stirred);
         if constexpr (detail::Reading<decltype(archive)>)
             check(archive, obstacles);
@@ -161,24 +183,24 @@ struct ObstacleFields {
 
     /// Boxes of the last tick have gone: the next one searches and places anew.
     static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries) {
-        obstacles.reserve(obstacles.slots_.size());
+        obstacles.make_room();
         obstacles.moving_.reserve(obstacles.motions_.size());
         for (std::uint32_t n = 0; n < obstacles.motions_.size(); ++n)
-            obstacles.slots_[obstacles.motions_[n].slot].motion = n;
-        for (std::uint32_t n = 0; n < obstacles.slots_.size(); ++n)
-            if (obstacles.slots_[n].used && obstacles.slots_[n].motion == Obstacles::k_at_rest)
+            obstacles.list_[obstacles.motions_[n].slot].motion = n;
+        for (std::uint32_t n = 0; n < obstacles.list_.size(); ++n)
+            if (obstacles.list_[n].used && obstacles.list_[n].motion == Obstacles::k_at_rest)
                 obstacles.rest(n);
         const CellIndex origin = obstacles.window_.origin_cells;
         obstacles.window_ = window;
         obstacles.window_.origin_cells = origin;
         obstacles.boundaries_ = boundaries;
         obstacles.search_ = true;
-        obstacles.changed_ = obstacles.count_ > 0;
+        obstacles.changed_ = obstacles.count() > 0;
     }
 
     static void check(detail::Reader& reader, Obstacles& obstacles) {
-        for (std::size_t n = 0; n < obstacles.slots_.size() && !reader.rejected(); ++n) {
-            const Obstacles::Slot& slot = obstacles.slots_[n];
+        for (std::uint32_t n = 0; n < obstacles.list_.size() && !reader.rejected(); ++n) {
+            const Obstacles::Slot& slot = obstacles.list_[n];
             reader.require(slot.generation > 0, "an obstacle has no generation.");
             if (!slot.used)
                 continue;
@@ -186,18 +208,17 @@ struct ObstacleFields {
                 reader.reject("obstacle ", n, " cannot be used: ", valid.error());
             reader.require(detail::has_unit_length(slot.obstacle.orientation), "an obstacle's orientation is not of length 1.");
         }
-        std::vector<bool> moves(obstacles.slots_.size());
+        std::vector<bool> moves(obstacles.list_.size());
         for (const Obstacles::Motion& motion : obstacles.motions_) {
-            if (reader.rejected() || motion.slot >= moves.size() || moves[motion.slot] || !obstacles.slots_[motion.slot].used)
+            if (reader.rejected() || motion.slot >= moves.size() || moves[motion.slot] || !obstacles.list_[motion.slot].used)
                 return reader.reject("its list of moving obstacles does not match its obstacles.");
             moves[motion.slot] = true;
-            const Obstacle& obstacle = obstacles.slots_[motion.slot].obstacle;
+            const Obstacle& obstacle = obstacles.list_[motion.slot].obstacle;
             reader.require(PathFields::lies_within(motion.path, k_world_range.max) &&
                                motion.path.target() == BodyPose{obstacle.position, glm::dquat(obstacle.orientation)},
                            "an obstacle's path is out of range.");
         }
         reader.require(detail::in_range(obstacles.window_.origin_cells), "its box is out of range.");
-        detail::check_free(reader, obstacles.slots_, obstacles.free_, "its list of free obstacles does not match its obstacles.");
     }
 
     static void surface(auto& archive, auto& history, glm::ivec3 size) {

@@ -2,7 +2,6 @@
 
 #include "fluid/event_log.h"
 #include "fluid/message.h"
-#include "fluid/owner.h"
 #include "fluid/portable_math.h"
 
 #include <algorithm>
@@ -18,11 +17,6 @@ namespace {
 using detail::PlacedObstacle;
 
 constexpr float k_margin_cells = 2.0f; // reads and trajectories beside the box
-
-// Form of an id in a log: valid for any wind that starts from the same snapshot.
-ObstacleId unowned(ObstacleId id) {
-    return {.slot = id.slot, .generation = id.generation};
-}
 
 // In double, so that the longest and the shortest keep their direction.
 glm::quat normalised(const glm::quat& orientation) {
@@ -82,64 +76,39 @@ bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundarie
 
 } // namespace
 
-Obstacles::Obstacles() : owner_(detail::next_owner()) {}
+Obstacles::Obstacles() : list_({"obstacle", "removed, or never added"}, k_capacity) {}
 
 // --- Changes by the host -----------------------------------------------------------------------------------------------------
 
 Result<ObstacleId> Obstacles::add(const Obstacle& obstacle) {
     if (auto valid = validate(obstacle); !valid)
         return Error{valid.error()};
-    if (free_.empty() && slots_.size() >= k_capacity)
-        return Error{
-            detail::message("there are already ", count_, " obstacles: remove some; a wind has at most ", k_capacity, ".")};
-    if (!detail::memory_lasts([&] { reserve(slots_.size() + (free_.empty() ? 1 : 0)); }))
+    if (auto room = list_.check_room(); !room)
+        return Error{room.error()};
+    const bool has_room = detail::memory_lasts([&] {
+        list_.make_room();
+        make_room();
+    });
+    if (!has_room)
         return detail::out_of_memory();
-    std::uint32_t index = 0;
-    if (!free_.empty()) {
-        index = free_.back();
-        free_.pop_back();
-    } else {
-        index = static_cast<std::uint32_t>(slots_.size());
-        slots_.emplace_back();
-    }
-    Slot& slot = slots_[index];
-    slot.obstacle = prepared(obstacle);
-    slot.used = slot.named_here = true;
-    ++slot.generation;
-    ++count_;
-    rest(index);
-    note_change(index);
-    const ObstacleId id{index, slot.generation, owner_};
+    const ObstacleId id = list_.add();
+    list_[id.slot].obstacle = prepared(obstacle);
+    rest(id.slot);
+    note_change(id.slot);
     if (log_ != nullptr)
-        log_->note(ObstacleAdded{unowned(id), obstacle});
+        log_->note(ObstacleAdded{id.unowned(), obstacle});
     return id;
 }
 
-// A tick of all obstacles, all in reach, finds its room made.
-void Obstacles::reserve(std::size_t count) {
-    if (count > slots_.capacity())
-        slots_.reserve(std::max(count, 2 * slots_.capacity()));
-    const std::size_t room = slots_.capacity();
-    free_.reserve(room);
+void Obstacles::make_room() {
+    const std::size_t room = list_.capacity();
     grid_.reserve(room);
     resting_.reserve(room);
     placed_.reserve(room);
 }
 
-Result<Obstacles::Slot*> Obstacles::slot_of(ObstacleId id) {
-    Slot* const slot = id.slot < slots_.size() ? &slots_[id.slot] : nullptr;
-    if (slot != nullptr && slot->used && slot->generation == id.generation) {
-        if (id.owner == 0 || id.owner == owner_ || !slot->named_here)
-            return slot;
-        return Error{detail::message("obstacle ", id.slot, " of generation ", id.generation,
-                                     " belongs to another wind: use the handle that add() of this one returned.")};
-    }
-    return Error{detail::message("obstacle ", id.slot, " of generation ", id.generation,
-                                 " does not exist (removed, or never added): use the handle that add() returned.")};
-}
-
 Result<void> Obstacles::set(ObstacleId id, const Obstacle& obstacle) {
-    const auto found = slot_of(id);
+    const auto found = list_.find(id);
     if (!found)
         return Error{found.error()};
     if (auto valid = validate(obstacle); !valid)
@@ -151,7 +120,7 @@ Result<void> Obstacles::set(ObstacleId id, const Obstacle& obstacle) {
     rest(id.slot);
     note_change(id.slot);
     if (log_ != nullptr)
-        log_->note(ObstacleSet{unowned(id), obstacle});
+        log_->note(ObstacleSet{id.unowned(), obstacle});
     return {};
 }
 
@@ -164,7 +133,7 @@ Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, glm::quat orien
 }
 
 Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation) {
-    const auto found = slot_of(id);
+    const auto found = list_.find(id);
     if (!found)
         return Error{found.error()};
     Slot& slot = **found;
@@ -177,36 +146,34 @@ Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat
         slot.obstacle.orientation = normalised(*orientation);
     motions_[slot.motion].path.move_to(pose(slot.obstacle));
     if (log_ != nullptr)
-        log_->note(ObstacleMoved{unowned(id), position, orientation != nullptr ? std::optional(*orientation) : std::nullopt});
+        log_->note(ObstacleMoved{id.unowned(), position, orientation != nullptr ? std::optional(*orientation) : std::nullopt});
     return {};
 }
 
 Result<void> Obstacles::remove(ObstacleId id) {
-    if (const auto found = slot_of(id); !found)
+    if (const auto found = list_.find(id); !found)
         return Error{found.error()};
     note_change(id.slot);
     end_motion(id.slot);
     grid_.erase(id.slot);
-    slots_[id.slot].used = false;
-    free_.push_back(id.slot);
-    --count_;
+    list_.release(id.slot);
     if (log_ != nullptr)
-        log_->note(ObstacleRemoved{unowned(id)});
+        log_->note(ObstacleRemoved{id.unowned()});
     return {};
 }
 
 Result<void> Obstacles::check(ObstacleId id) const {
-    const auto slot = const_cast<Obstacles*>(this)->slot_of(id);
+    const auto slot = list_.find(id);
     return slot ? Result<void>() : Error{slot.error()};
 }
 
 const Obstacle* Obstacles::find(ObstacleId id) const {
-    const auto slot = const_cast<Obstacles*>(this)->slot_of(id);
+    const auto slot = list_.find(id);
     return slot ? &(*slot)->obstacle : nullptr;
 }
 
 void Obstacles::note_change(std::uint32_t index) {
-    if (!reaches(slots_[index]))
+    if (!reaches(list_[index]))
         return;
     search_ = changed_ = stirred_ = true;
 }
@@ -223,13 +190,13 @@ bool Obstacles::reaches(const Slot& slot) const {
 }
 
 void Obstacles::rest(std::uint32_t index) {
-    const Obstacle& obstacle = slots_[index].obstacle;
+    const Obstacle& obstacle = list_[index].obstacle;
     grid_.insert(index, obstacle.position, static_cast<double>(glm::length(detail::half_extent(obstacle.shape))));
 }
 
 // Throws std::bad_alloc, and nothing has changed then.
 void Obstacles::begin_motion(std::uint32_t index) {
-    Slot& slot = slots_[index];
+    Slot& slot = list_[index];
     motions_.reserve(motions_.size() + 1 <= motions_.capacity() ? motions_.capacity() : 2 * motions_.size() + 4);
     moving_.reserve(motions_.capacity());
     const bool in_reach = reaches(slot);
@@ -241,12 +208,12 @@ void Obstacles::begin_motion(std::uint32_t index) {
 
 // The obstacle is at rest where it goes.
 void Obstacles::end_motion(std::uint32_t index) {
-    Slot& slot = slots_[index];
+    Slot& slot = list_[index];
     if (slot.motion == k_at_rest)
         return;
     search_ = search_ || motions_[slot.motion].reaches || reaches(slot);
     motions_[slot.motion] = motions_.back();
-    slots_[motions_[slot.motion].slot].motion = slot.motion;
+    list_[motions_[slot.motion].slot].motion = slot.motion;
     slot.motion = k_at_rest;
     motions_.pop_back();
     rest(index);
@@ -272,7 +239,7 @@ void Obstacles::pass(double duration) {
 
 void Obstacles::name(PlacedObstacle& obstacle, std::uint32_t index) const {
     obstacle.slot = index;
-    obstacle.generation = slots_[index].generation;
+    obstacle.generation = list_[index].generation;
 }
 
 // Advances what moves and places it. True where that changes what is placed.
@@ -293,7 +260,7 @@ bool Obstacles::carry(double duration) {
         const BodyPose start = motion->path.here();
         motion->path.tick(duration, [](double, double, const BodyPose&, const BodyPose&) {});
         const BodyPose& end = motion->path.here();
-        PlacedObstacle now = placed(slots_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
+        PlacedObstacle now = placed(list_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
         name(now, motion->slot);
         const bool moves = !(start == end), reached = std::exchange(motion->reaches, meets(now, window_, boundaries_));
         if ((moves || motion->moved) && (reached || motion->reaches))
@@ -317,8 +284,8 @@ void Obstacles::find_resting() {
         }
     grid_.find(low, high, [&](std::uint32_t index) {
         ++visited_;
-        const BodyPose here = pose(slots_[index].obstacle);
-        PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window_, boundaries_);
+        const BodyPose here = pose(list_[index].obstacle);
+        PlacedObstacle now = placed(list_[index].obstacle, here, here, 1.0, window_, boundaries_);
         name(now, index);
         if (meets(now, window_, boundaries_))
             resting_.push_back(now);
@@ -346,11 +313,11 @@ std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const W
 
 std::vector<PlacedObstacle> Obstacles::standing_in(const Window& window, const Boundaries& boundaries) const {
     std::vector<PlacedObstacle> standing;
-    for (std::uint32_t index = 0; index < slots_.size(); ++index) {
-        if (!slots_[index].used)
+    for (std::uint32_t index = 0; index < list_.size(); ++index) {
+        if (!list_[index].used)
             continue;
-        const BodyPose here = pose_of(slots_[index]);
-        PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window, boundaries);
+        const BodyPose here = pose_of(list_[index]);
+        PlacedObstacle now = placed(list_[index].obstacle, here, here, 1.0, window, boundaries);
         name(now, index);
         if (meets(now, window, boundaries))
             standing.push_back(now);
@@ -360,8 +327,8 @@ std::vector<PlacedObstacle> Obstacles::standing_in(const Window& window, const B
 }
 
 std::size_t Obstacles::memory_bytes() const {
-    return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) + motions_.capacity() * sizeof(Motion) +
-           grid_.memory_bytes() + (resting_.capacity() + moving_.capacity() + placed_.capacity()) * sizeof(PlacedObstacle);
+    return list_.memory_bytes() + motions_.capacity() * sizeof(Motion) + grid_.memory_bytes() +
+           (resting_.capacity() + moving_.capacity() + placed_.capacity()) * sizeof(PlacedObstacle);
 }
 
 } // namespace windrow

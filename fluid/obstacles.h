@@ -1,5 +1,4 @@
-// The obstacles of one wind: a list in world space (double) that may change while the wind runs. A handle has a generation, so
-// that a stale handle is rejected and never moves another obstacle.
+// The obstacles of one wind: a list in world space (double) that may change while the wind runs.
 //
 // Obstacles at rest are in a grid that is searched where the box moves or the list changes; only those that move are visited in
 // every tick. So a town outside of the box costs nothing.
@@ -12,6 +11,7 @@
 #include "obstacle.h"
 #include "obstacle_grid.h"
 #include "result.h"
+#include "slot_list.h"
 #include "timed_path.h"
 #include "window.h"
 
@@ -25,16 +25,8 @@ namespace windrow {
 
 class EventLog;
 
-/// Handle of an obstacle of one Obstacles object. A default handle names none.
-struct ObstacleId {
-    std::uint32_t slot = 0;
-    std::uint32_t generation = 0; ///< 0 names no obstacle
-    /// Number of the Obstacles object, unique in the process, so that a handle of another wind is rejected. Default 0: not
-    /// checked, for a handle that was sent as slot and generation.
-    std::uint32_t owner = 0;
-    /// The same slot and generation: also of a wind and of its copy that was loaded.
-    friend bool operator==(ObstacleId a, ObstacleId b) { return a.slot == b.slot && a.generation == b.generation; }
-};
+/// Handle of an obstacle of one Obstacles object: slot, generation, owner.
+using ObstacleId = Handle<class Obstacles>;
 
 /// The obstacles of one Wind, at most 16384. A handle that was removed, or that another wind gave, is rejected. The obstacles of a
 /// wind that was loaded keep their handles. Without memory a call fails and the list stays as it was.
@@ -60,7 +52,7 @@ class WINDROW_API Obstacles {
     [[nodiscard]] Result<void> check(ObstacleId id) const;
     /// The obstacle as it stands, orientation normalised; null for a stale handle.
     [[nodiscard]] const Obstacle* find(ObstacleId id) const;
-    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] int count() const { return list_.count(); }
     [[nodiscard]] std::size_t memory_bytes() const;
 
     /// One slot of the list.
@@ -95,7 +87,7 @@ class WINDROW_API Obstacles {
     /// Those that meet a box, where they are now, in the order of `tick`; moves since the last tick have not begun. Throws
     /// std::bad_alloc.
     [[nodiscard]] std::vector<detail::PlacedObstacle> standing_in(const Window& window, const Boundaries& boundaries) const;
-    [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    [[nodiscard]] std::span<const Slot> slots() const { return list_.slots(); }
     /// Number of obstacles that the last tick looked at.
     [[nodiscard]] std::size_t visited() const { return visited_; }
     /// Every change is noted in `log` from now on; null: no longer.
@@ -114,10 +106,9 @@ class WINDROW_API Obstacles {
         bool reaches = false; ///< the box, when it was last placed
     };
 
-    [[nodiscard]] Result<Slot*> slot_of(ObstacleId id);
     [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation);
-    /// Room for `count` slots and what a tick returns of them; throws std::bad_alloc.
-    void reserve(std::size_t count);
+    /// For what a tick returns of the list, all in reach; throws std::bad_alloc.
+    void make_room();
     void begin_motion(std::uint32_t index);
     void end_motion(std::uint32_t index);
     void rest(std::uint32_t index);
@@ -129,8 +120,7 @@ class WINDROW_API Obstacles {
     [[nodiscard]] bool carry(double duration);
     void find_resting();
 
-    std::vector<Slot> slots_;
-    std::vector<std::uint32_t> free_;
+    detail::SlotList<Slot, Obstacles> list_;
     std::vector<Motion> motions_;
     detail::ObstacleGrid grid_;                   ///< of those at rest
     std::vector<detail::PlacedObstacle> resting_; ///< those at rest in reach, sorted
@@ -141,10 +131,8 @@ class WINDROW_API Obstacles {
     bool ticked_ = false;
     bool search_ = false; ///< `resting_` is not that of the list and the window
     bool changed_ = false, stirred_ = false;
-    int count_ = 0;
     std::size_t visited_ = 0;
     EventLog* log_ = nullptr;
-    std::uint32_t owner_;
 };
 
 } // namespace windrow

@@ -56,7 +56,7 @@ void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wi
 } // namespace detail
 
 using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
-using detail::check_free, detail::count_used, detail::in_range, detail::k_farthest_cells;
+using detail::in_range, detail::k_farthest_cells;
 
 namespace {
 
@@ -114,8 +114,6 @@ struct DeviceNames {
 
 /// Access to the private members of the state.
 struct StateFields {
-    static constexpr std::size_t k_min_slot_bytes = 5;
-
     static void slot(auto& archive, Like<Motors::Slot> auto& slot) {
         auto& [motor, track, age, generation, used, named_here, reaches] = slot; // read: named by the wind that was saved
         archive(used, generation);
@@ -126,37 +124,20 @@ struct StateFields {
     }
 
     static void motors(auto& archive, Like<Motors> auto& motors) {
-        auto& [slots, reach, free, tile, count, log, owner] = motors;
-        auto size = static_cast<std::uint32_t>(slots.size());
-        archive(size);
+        auto& [list, reach, tile, log] = motors;
+        if (!SlotFields::slots(archive, list, "it has more motors than fit.",
+                               [&](auto& slot) { StateFields::slot(archive, slot); }) ||
+            !SlotFields::free(archive, list, "its list of free motors does not match its motors."))
+            return;
         if constexpr (Reading<decltype(archive)>) {
-            archive.require(size <= Motors::k_capacity, "it has more motors than fit.");
-            if (!archive.can_hold(size, k_min_slot_bytes))
-                return;
-            slots.resize(size);
+            motors.reserve_reach(nullptr);
+            check(archive, motors.slots());
         }
-        for (auto& slot : slots)
-            StateFields::slot(archive, slot);
-        if constexpr (Reading<decltype(archive)>)
-            make_room(archive, motors);
-        for (auto& index : free)
-            archive(index);
-        if constexpr (Reading<decltype(archive)>)
-            check(archive, motors);
     }
 
-    static void make_room(detail::Reader& reader, Motors& motors) {
-        motors.count_ = count_used(motors.slots_);
-        motors.free_.reserve(motors.slots_.capacity());
-        motors.free_.resize(motors.slots_.size() - static_cast<std::size_t>(motors.count_));
-        motors.reserve_reach(nullptr);
-        if (!reader.can_hold(motors.free_.size(), sizeof(std::uint32_t)))
-            motors.free_.clear();
-    }
-
-    static void check(detail::Reader& reader, const Motors& motors) {
-        for (std::size_t n = 0; n < motors.slots_.size() && !reader.rejected(); ++n) {
-            const Motors::Slot& slot = motors.slots_[n];
+    static void check(detail::Reader& reader, std::span<const Motors::Slot> motors) {
+        for (std::size_t n = 0; n < motors.size() && !reader.rejected(); ++n) {
+            const Motors::Slot& slot = motors[n];
             reader.require(slot.generation > 0, "a motor has no generation.");
             if (!slot.used)
                 continue;
@@ -166,7 +147,6 @@ struct StateFields {
             reader.require(slot.age >= 0.0 && PathFields::lies_within(slot.track, k_farthest_cells),
                            "a motor's age or path is out of range.");
         }
-        check_free(reader, motors.slots_, motors.free_, "its list of free motors does not match its motors.");
     }
 
     static void ambient(auto& archive, Like<AmbientWind> auto& wind, const Config& config, Tiles& tiles) {

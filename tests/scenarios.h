@@ -22,6 +22,7 @@ struct Scenario {
     std::function<void(WindControl&)> begin{};
     /// Before step n, from 0.
     std::function<void(WindControl&, int)> step{};
+    int steps = 100;
     /// Two winds that start one rounding apart part by more than 1e-6 in 12 steps.
     bool chaotic = false;
 };
@@ -182,6 +183,25 @@ inline std::vector<Scenario> scenarios() {
                  if (n % 40 == 30)
                      must(wind.set_boundaries(n % 80 == 30 ? Boundaries{.z_low = {BoundaryKind::free_slip}} : Boundaries{}));
              }});
+    // Sub-steps, of which each has its own place of the body and its sources.
+    rows.push_back({.name = "fast_air_in_small_cells",
+                    .config =
+                        [](Config& c) {
+                            c.cell_size = 0.25f;
+                            c.ambient = {25.0f, 0.0f, 3.0f};
+                            c.gusts.intensity = 0.1f;
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add({.position = {-0.8, 0.1, 0.3}, .shape = Sphere{0.45f}}));
+                            must(wind.obstacles().add({.position = {0.7, -0.2, -0.4}, .shape = Plate{{0.5f, 0.6f}}}));
+                            must(wind.motors().add(PressureMotor{.position = {0.2, 0.5, 0.5}, .radius = 0.6f}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.obstacles().move(obstacle_id(), {-0.8 + 0.012 * (n + 1), 0.1, 0.3}));
+                        },
+                    .steps = 40}); // its sources take a software device half a second each
     rows.push_back({.name = "sleep",
                     .config =
                         [](Config& c) {

@@ -32,7 +32,6 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 SCENES = ROOT / "examples" / "scenes"
-MAX_WEBP = 4_000_000  # [bytes] what a page can bear
 
 
 class Fault(Exception):
@@ -165,44 +164,47 @@ def draw_all(shots, jobs, program_hash):
 
 
 def inputs_and_filter(shots, fade, fps, ending):
-    """ffmpeg's inputs, and the filter that fades one into the next, as [film]."""
-    inputs, chain, shown = [], [], 0.0
+    """ffmpeg's inputs, the filter that fades one into the next, as [film], the film's length [s], and where fades begin and end."""
+    inputs, chain, shown, cuts = [], [], 0.0, []
     last = "0:v"
     for n, shot in enumerate(shots):
         inputs += ["-framerate", str(fps), "-start_number", str(shot.first), "-i", shot.frames / "frame_%04d.png"]
         if n > 0:
             chain.append(f"[{last}][{n}:v]xfade=transition=fade:duration={fade}:offset={shown - fade:.6f}[f{n}]")
             last = f"f{n}"
+            cuts += [shown - fade, shown]
         shown += shot.count / fps - (fade if n > 0 else 0.0)
     chain.append(f"[{last}]{ending}[film]")
-    return inputs, ";".join(chain), shown
+    return inputs, ";".join(chain), shown, cuts
 
 
 def ffmpeg(arguments, file):
     """Writes the file whole or not at all."""
-    part = file.with_name("part_" + file.name)
+    part = file if "%" in file.name else file.with_name("part_" + file.name)  # pictures: into a folder that is made anew
     run = subprocess.run(["ffmpeg", "-v", "error", "-y", *map(str, arguments), str(part)], check=False)
     if run.returncode != 0:
         part.unlink(missing_ok=True)
         raise Fault(f"ffmpeg made no {file.name}; see above.")
-    os.replace(part, file)
+    if part != file:
+        os.replace(part, file)
 
 
 def cut(shots, fade, options):
     film = options.out / "windrow.mp4"
-    inputs, chain, shown = inputs_and_filter(shots, fade, options.fps, "format=yuv420p")
-    ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"], film)
+    inputs, chain, shown, cuts = inputs_and_filter(shots, fade, options.fps, "format=yuv420p")
+    ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libx264", "-crf", "18", "-force_key_frames",
+            ",".join(f"{cut:.6f}" for cut in cuts) or "0", "-movflags", "+faststart"], film)
     print(f"{film}: {shown:.1f} s, {film.stat().st_size / 1e6:.1f} MB")
     if options.webp is None:
         return
-    for quality in range(70, 0, -10):
-        inputs, chain, _ = inputs_and_filter(shots, fade, options.fps, "fps=12,scale=480:-2:flags=lanczos")
-        ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libwebp_anim", "-quality", quality, "-compression_level", "6",
-                "-loop", "0"], options.webp)
-        if options.webp.stat().st_size <= MAX_WEBP:
-            print(f"{options.webp}: quality {quality}, {options.webp.stat().st_size / 1e6:.2f} MB")
-            return
-    raise Fault(f"{options.webp} is above {MAX_WEBP} bytes at the least quality; shorten the film.")
+    page = options.out / "page"
+    shutil.rmtree(page, ignore_errors=True)
+    page.mkdir()
+    inputs, chain, _, _ = inputs_and_filter(shots, fade, options.fps, "fps=12,scale=400:-1:flags=area")
+    ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]"], page / "frame_%04d.png")
+    command = ["-B", pathlib.Path(__file__).with_name("webp_film.py"), options.webp, *sorted(page.glob("frame_*.png"))]
+    if subprocess.run([sys.executable, *command], check=False).returncode != 0:
+        raise Fault(f"{options.webp} was not made; see above.")
 
 
 def read_edit(options):
@@ -230,7 +232,7 @@ def options_of(arguments):
     parser.add_argument("--shutter", type=float, default=180.0)
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--edit", type=pathlib.Path, default=ROOT / "tools" / "film.json")
-    parser.add_argument("--webp", type=pathlib.Path, help="a small film for a page too: 480 px wide, 12 frames a second")
+    parser.add_argument("--webp", type=pathlib.Path, help="a small film for a page too: 400 px wide, 12 frames a second (webp_film.py)")
     parser.add_argument("--jobs", type=int, default=min(os.cpu_count() or 1, 4), help="shots drawn at a time; default: one a core, 4 at most")
     parser.add_argument("--frames-only", action="store_true", help="draw, and do not cut")
     try:

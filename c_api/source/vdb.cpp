@@ -86,10 +86,10 @@ windrow_result with_options(const windrow_vdb_options* options, const Use& use) 
 /// Runs use(grid) on the cells of a wind.
 template <class Use>
 windrow_result with_grid(const windrow_wind* wind, const Use& use) {
+    if (const auto view = wind->reader->view(); !view)
+        return fail(WINDROW_NOT_READY, view.error());
     const Result<vdb::VelocityGrid> grid = vdb::grid_of(*wind->control, *wind->reader);
-    if (!grid)
-        return wind->cpu != nullptr ? done(grid) : fail(WINDROW_NOT_READY, grid.error());
-    return use(*grid);
+    return grid ? use(*grid) : done(grid);
 }
 
 /// The region that a host asks for, on voxels of a wind.

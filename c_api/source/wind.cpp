@@ -12,7 +12,22 @@
 using namespace windrow;
 using namespace windrow::c_api;
 
+void windrow::c_api::warn_of(windrow_wind& wind, const Diagnostics& report) {
+    if (report.repaired_cells > 0) [[unlikely]]
+        warn("cells that were not finite were set to the ambient wind: look for a velocity that the host set.");
+    if (report.motors_lost > wind.motors_lost) [[unlikely]]
+        warn("a motor acts on no air where it is: it is under the ground or far outside of the box; move it or the floor.");
+    wind.motors_lost = report.motors_lost;
+}
+
 namespace {
+
+windrow_result lasted(windrow_wind& wind, const Diagnostics& report) {
+    if (report.out_of_memory) [[unlikely]]
+        return fail(detail::out_of_memory());
+    warn_of(wind, report);
+    return WINDROW_OK;
+}
 
 windrow_result make_cpu_wind(windrow_wind** wind, Result<Wind> made) {
     if (!made)
@@ -33,17 +48,6 @@ bool is_time(double dt) {
 windrow_result fail_time(double dt) {
     return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
 }
-windrow_result lasted(windrow_wind& wind, const Diagnostics& report) {
-    if (report.out_of_memory) [[unlikely]]
-        return fail(detail::out_of_memory());
-    if (report.repaired_cells > 0) [[unlikely]]
-        warn("cells that were not finite were set to the ambient wind: look for a velocity that the host set.");
-    if (report.motors_lost > wind.motors_lost) [[unlikely]]
-        warn("a motor acts on no air where it is: it is under the ground or far outside of the box; move it or the floor.");
-    wind.motors_lost = report.motors_lost;
-    return WINDROW_OK;
-}
-
 /// Runs use(view) on the view of a frame.
 template <class Use>
 windrow_result with_view(const windrow_wind* wind, windrow_frame frame, const Use& use) {

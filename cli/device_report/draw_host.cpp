@@ -236,7 +236,7 @@ Result<VkPipeline> DrawHost::pipeline(const Target& target, const Recipe& recipe
     const Functions& call = device_.functions();
     const Host& host = device_.host();
     std::vector<VkPipelineShaderStageCreateInfo> stages;
-    std::array<Handle<VkShaderModule, &Functions::vkDestroyShaderModule>, 2> shaders; // end with this function
+    std::array<vulkan::Handle<VkShaderModule, &Functions::vkDestroyShaderModule>, 2> shaders; // end with this function
     const auto add = [&](VkShaderStageFlagBits stage, std::span<const std::uint32_t> words) {
         auto& shader = shaders[stages.size()];
         const VkResult result = vulkan::make(call, host, call.vkCreateShaderModule, module_of(words), shader);

@@ -165,7 +165,7 @@ Result<void> query_ground(SectionRun& run, Device& device, Texel texel) {
     const GroundBlock content = gpu->block(anchor);
     std::memcpy(block->mapped(), &content, sizeof content);
     (void)block->flush(); // memory for uploads is coherent
-    Handle<VkSampler, &Functions::vkDestroySampler> sampler;
+    vulkan::Handle<VkSampler, &Functions::vkDestroySampler> sampler;
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     if (const VkResult result = make(device.functions(), device.host(), device.functions().vkCreateSampler, info, sampler);

@@ -28,11 +28,9 @@ struct StepTime {
 };
 
 struct GridTimes {
-    std::vector<StepTime> methods{}; ///< in the order of pareto_methods
-    double stam_ms = 0.0;            ///< least
-    /// On the CPU the library's own step over the composed one of the same method, which does the same. On a device the CPU's
-    /// step over the device's. None where the CPU's own step is what is timed.
-    std::optional<double> wind_vs_method{};
+    std::vector<StepTime> methods{};       ///< in the order of pareto_methods
+    double stam_ms = 0.0;                  ///< least
+    std::optional<double> cpu_vs_device{}; ///< of the default method; none on the CPU
     std::size_t rounds = 0;
 };
 
@@ -75,47 +73,37 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     const Box box = box_of(flow, cells);
     const int steps = steps_of(flow, cells, 1.0), max_age = std::min(steps, k_max_age);
     const double dt = flow.end / steps;
-    const Solves solves = solves_of(flow, backend.kind());
-    const auto methods = pareto_methods(solves);
+    const auto methods = pareto_methods(solves_of(flow, backend.kind()));
     const CellVelocities start =
         flow.start ? velocities_of(box, flow.start) : CellVelocities(box.cell_count(), glm::vec4(glm::vec3(flow.mean), 0.0f));
 
     Contest contest;
     std::deque<FlowWind> winds; // contestants point to these two
     std::deque<Stepper> steppers;
+    // On the CPU one wind takes all methods in turns.
     const auto enter = [&](const Method& method, const Backend& on) -> Result<std::size_t> {
-        auto made = FlowWind::create(flow, cells, {.method = method, .simd = simd, .parallel_for = parallel_for}, on);
-        if (!made)
-            return Error{made.error()};
-        FlowWind& wind = winds.emplace_back(*std::move(made));
-        return contest.add(steppers.emplace_back(max_age, [&wind] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
+        if (winds.empty() || !on.is_cpu() || !backend.is_cpu()) {
+            auto made = FlowWind::create(flow, cells, {.method = method, .simd = simd, .parallel_for = parallel_for}, on);
+            if (!made)
+                return Error{made.error()};
+            FlowWind& wind = winds.emplace_back(*std::move(made));
+            steppers.emplace_back(max_age, [&wind] { wind.begin(); });
+        }
+        return contest.add(steppers.back().contestant([&wind = winds.back(), method, dt] {
+            wind.set_method(method);
+            wind.step(dt);
+        }));
     };
-    std::optional<reference::ComposedStep> composed;
-    if (solves == Solves::all) {
-        auto made = composed_step(flow, cells, simd, parallel_for);
-        if (!made)
-            return Error{made.error()};
-        if (const auto fits = made->start(start); !fits)
-            return Error{fits.error()};
-        composed.emplace(*std::move(made));
-    }
-    Stepper composed_stepper(max_age, [&] { static_cast<void>(composed->start(start)); }); // the motors were accepted
     std::vector<std::size_t> numbers;
     for (const Method& method : methods) {
-        if (solves == Solves::all) {
-            numbers.push_back(contest.add(composed_stepper.contestant([&, method] { composed->step(method, dt); })));
-            continue;
-        }
         const auto number = enter(method, backend);
         if (!number)
             return Error{number.error()};
         numbers.push_back(*number);
     }
-    // What the default method is compared with.
-    const bool wind_too = solves == Solves::all || !backend.is_cpu();
-    const auto wind_number = wind_too ? enter(k_default_method, {}) : Result<std::size_t>(0);
-    if (!wind_number)
-        return Error{wind_number.error()};
+    const auto cpu_number = backend.is_cpu() ? Result<std::size_t>(0) : enter(k_default_method, {});
+    if (!cpu_number)
+        return Error{cpu_number.error()};
     reference::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
     stam.set_ambient(glm::vec3(flow.mean));
     Stepper stam_stepper(max_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
@@ -127,8 +115,8 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     for (std::size_t n = 0; n < methods.size(); ++n) {
         const double ratio = contest.ratio(numbers[n], stam_number);
         times.methods.push_back({.vs_stam40 = ratio, .step_ms = ratio * times.stam_ms});
-        if (wind_too && methods[n] == k_default_method)
-            times.wind_vs_method = contest.ratio(*wind_number, numbers[n]);
+        if (!backend.is_cpu() && methods[n] == k_default_method)
+            times.cpu_vs_device = contest.ratio(*cpu_number, numbers[n]);
     }
     return std::optional(std::move(times));
 }
@@ -144,14 +132,6 @@ Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3
                                               const ParetoRequest& request, const FlowTruth& truth,
                                               const ParallelFor& parallel_for, const Backend& backend,
                                               const std::function<bool()>& stopped) {
-    std::optional<reference::ComposedStep> composed;
-    if (solves_of(flow, backend.kind()) == Solves::all) {
-        auto made = composed_step(flow, cells, request.simd, parallel_for);
-        if (!made)
-            return Error{made.error()};
-        composed.emplace(*std::move(made));
-    }
-    const CellVelocities start = flow.start ? velocities_of(box_of(flow, cells), flow.start) : CellVelocities();
     const CellTruth end = truth.at_centres(cells);
     GridErrors errors(request.cfls.size());
     for (std::size_t c = 0; c < errors.size(); ++c)
@@ -160,14 +140,6 @@ Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3
                 return std::optional<GridErrors>();
             const int steps = steps_of(flow, cells, request.cfls[c]);
             const double dt = flow.end / steps;
-            if (composed) {
-                if (const auto fits = composed->start(start); !fits)
-                    return Error{fits.error()};
-                for (int n = 0; n < steps; ++n)
-                    composed->step(method, dt);
-                errors[c].push_back(flow_error(composed->velocity(), end));
-                continue;
-            }
             auto wind =
                 FlowWind::create(flow, cells, {.method = method, .simd = request.simd, .parallel_for = parallel_for}, backend);
             if (!wind)
@@ -187,7 +159,7 @@ std::optional<double> order_between(double coarse, double fine, int coarse_cells
 } // namespace
 
 std::uint64_t flow_run_bytes(const ParetoFlow& flow) {
-    // The composed step, a wind and Stam's on the largest grid, or the composed step alone and a copy on the reference.
+    // A wind with the other solves and Stam's on the largest grid, or a wind alone and a copy on the reference.
     constexpr std::uint64_t k_bytes_a_cell = 600, k_bytes_a_reference_cell = 260;
     std::uint64_t cells = 0;
     for (const glm::ivec3 grid : flow.grids)
@@ -242,10 +214,8 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
             console.out << "  " << grid_name(cells)
                         << message(", ", count, count == 1 ? " thread: " : " threads: ", (*times)->rounds)
                         << " rounds, Stam's step " << to_fixed((*times)->stam_ms, 3) << " ms";
-            if ((*times)->wind_vs_method)
-                console.out << (backend.is_cpu() ? ", Wind's own step " : ", the CPU's step ")
-                            << to_fixed(*(*times)->wind_vs_method, 2)
-                            << (backend.is_cpu() ? " of the composed one" : " of the device's");
+            if ((*times)->cpu_vs_device)
+                console.out << ", the CPU's step " << to_fixed(*(*times)->cpu_vs_device, 2) << " of the device's";
             console.out << "\n";
             console.out.flush();
             if (threads == 1)

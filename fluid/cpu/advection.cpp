@@ -67,12 +67,12 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     task.padded_trace = own_trace ? pad.padded_trace : pad.padded_carried;
     task.result = cpu::floats(result);
     task.cells_per_speed = transport.dt / state.box.cell_size;
-    if (state.given.now != nullptr) {
-        task.given = state.given;
-        task.given.legal = task.legal;
+    if (state.prescribed.now != nullptr) {
+        task.prescribed = state.prescribed;
+        task.prescribed.legal = task.legal;
         // The air slips along a wall, as the advected field does. A does not repeat with a periodic box: its jump, read across
         // that seam, would feed the perturbation permanently.
-        cpu::Legal& legal = task.given.legal;
+        cpu::Legal& legal = task.prescribed.legal;
         for (int axis = 0; axis < 3; ++axis) {
             if (state.box.boundaries.at(axis, 0).kind != BoundaryKind::open)
                 legal.low[axis] = 0.0f;

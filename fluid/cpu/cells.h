@@ -172,8 +172,8 @@ class Cells final : public CellStorage {
     /// Finds the gusts at the end of the sub-step. carry_gusts makes them the current ones.
     void foresee_gusts(Diagnostics& report);
     void carry_gusts();
-    [[nodiscard]] std::span<const glm::vec4> without_given_flow();
-    void add_given_flow(std::span<glm::vec4> field, float factor);
+    [[nodiscard]] std::span<const glm::vec4> without_prescribed();
+    void add_prescribed(std::span<glm::vec4> field, float factor);
     /// Not in sheltered cells.
     void add_ambient(std::span<glm::vec4> field, float factor);
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);

@@ -124,7 +124,8 @@ PrescribedFlow Cells::prescribed() const {
 
 void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
                            int solves, Diagnostics& report) {
-    Workspace::State::SolidSolve around{.keeps_terms = true, .guess_scale = guess_scale, .given = prescribed(), .solves = solves};
+    Workspace::State::SolidSolve around{
+        .keeps_terms = true, .guess_scale = guess_scale, .prescribed = prescribed(), .solves = solves};
     work.state().project(velocity, {}, note, nullptr, &around);
     if (!work.state().has_solids())
         return;

@@ -35,7 +35,7 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     if (!state.has_solids())
         return;
     const cpu::Stopwatch watch("windrow obstacles", state.obstacles_ms);
-    state.solid_flow().close_diffusion(field, {.ambient = state.given.now}, ratio, result);
+    state.solid_flow().close_diffusion(field, {.ambient = state.prescribed.now}, ratio, result);
 }
 
 // Contribution of the ghost beyond one boundary to L v at its outermost cell: the part that does not depend on v.
@@ -105,7 +105,7 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
         if (state.has_solids()) { // a component is read whole before it is written
             std::copy(field.begin(), field.end(), result.begin());
             const cpu::Stopwatch watch("windrow obstacles", state.obstacles_ms);
-            state.solid_flow().drag_along_walls({.ambient = state.given.now}, ratio, result);
+            state.solid_flow().drag_along_walls({.ambient = state.prescribed.now}, ratio, result);
             field = result;
         }
         for (int component = 0; component < 3; ++component)

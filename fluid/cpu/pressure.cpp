@@ -25,10 +25,10 @@ cpu::DivergenceTask Workspace::State::divergence_task(const float* velocity, flo
     return task;
 }
 
-void Workspace::State::divergence_to_potential(const float* velocity, float scale) {
+void Workspace::State::divergence_to(float* rows, int pitch, const float* velocity, float scale) {
     cpu::DivergenceTask task = divergence_task(velocity, scale);
-    task.pitch = pressure.pitch();
-    task.result = potential.data();
+    task.pitch = pitch;
+    task.result = rows;
     parallel_for(box.cells.z, [&](int plane) { kernels->divergence_plane(task, plane); });
 }
 
@@ -138,7 +138,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     };
     std::optional<cpu::Stopwatch> watch(std::in_place, "windrow obstacles", obstacles_ms);
     const float guess = around.guess_scale;
-    flow.close_divergence(velocity, around.given, around.bodies_move, solid_terms, guess, potential.data(), masked_terms);
+    flow.close_divergence(velocity, around.prescribed, around.bodies_move, solid_terms, guess, potential.data(), masked_terms);
     const double wanted = norm([&](std::size_t n) {
         return std::exchange(potential[cells[n].potential], potential[cells[n].potential] + masked_terms[n]);
     });
@@ -239,7 +239,11 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     const auto link = [&](glm::ivec3 cell, int axis, int end) {
         return axis == 1 && box.rows ? box.row_scale(cell.y) * box.rows->links()[static_cast<std::size_t>(cell.y + end)] : 1.0f;
     };
-    divergence_to_potential(cpu::floats(velocity), 0.5f);
+    assert(other_solve == nullptr || (expansion.empty() && beyond == nullptr && !has_solids()));
+    if (other_solve != nullptr)
+        divergence_to(other_solve->rhs, other_solve->pitch, cpu::floats(velocity), 0.5f);
+    else
+        divergence_to_potential(cpu::floats(velocity), 0.5f);
     if (!expansion.empty())
         subtract_from_potential(expansion, box.cell_size);
     if (beyond != nullptr)
@@ -248,7 +252,10 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
                 link(cell, axis, end) * beyond->at(cell, axis, end);
         });
     SolidSolve alone{.solves = k_most_solves, .tolerance = k_operator_tolerance};
-    if (has_solids())
+    cpu::Potential solved{potential.data(), pressure.pitch()};
+    if (other_solve != nullptr)
+        solved = other_solve->solve();
+    else if (has_solids())
         solve_around(velocity, around != nullptr ? *around : alone, note);
     else
         pressure.solve(potential.data(), scratch.data(), parallel_for);
@@ -256,8 +263,8 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     cpu::GradientTask task{};
     for (int axis = 0; axis < 3; ++axis)
         task.cells[axis] = box.cells[axis];
-    task.pitch = pressure.pitch();
-    task.potential = potential.data();
+    task.pitch = solved.pitch;
+    task.potential = solved.rows;
     std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = 0.5f;
     task.row_scales = row_scales();
@@ -269,7 +276,8 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     if (has_solids()) {
         const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
         solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
-        solid_flow().hold_bodies((around != nullptr ? *around : alone).given, around == nullptr || around->bodies_move, velocity);
+        solid_flow().hold_bodies((around != nullptr ? *around : alone).prescribed, around == nullptr || around->bodies_move,
+                                 velocity);
     }
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {

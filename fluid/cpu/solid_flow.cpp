@@ -45,13 +45,13 @@ Push finished(Push push, float cell_size) {
 
 } // namespace
 
-glm::vec3 SolidFlow::ambient_at(const PrescribedFlow& given, std::uint32_t cell) const {
-    const float* const around = given.ambient + 4 * padded_index(box_.cells, solids_.place_of(cell));
+glm::vec3 SolidFlow::ambient_at(const PrescribedFlow& prescribed, std::uint32_t cell) const {
+    const float* const around = prescribed.ambient + 4 * padded_index(box_.cells, solids_.place_of(cell));
     return {around[0], around[1], around[2]};
 }
 
-glm::vec3 SolidFlow::given_at(const PrescribedFlow& given, std::uint32_t cell) const {
-    return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(given, cell);
+glm::vec3 SolidFlow::prescribed_at(const PrescribedFlow& prescribed, std::uint32_t cell) const {
+    return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(prescribed, cell);
 }
 
 // Fields in one pass over the lists, which are long. across(source): the velocity of the wall along a source's normal.
@@ -73,11 +73,11 @@ void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields,
     }
 }
 
-void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const {
+void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& prescribed) const {
     const std::array fields{velocity};
-    if (given.any())
+    if (prescribed.any())
         extend_by(fields, [&](const Solids::GhostSource& source, std::size_t) {
-            return source.wall - glm::dot(given_at(given, source.cell), source.normal);
+            return source.wall - glm::dot(prescribed_at(prescribed, source.cell), source.normal);
         });
     else
         extend_by(fields, [](const Solids::GhostSource& source, std::size_t) { return source.wall; });
@@ -92,22 +92,22 @@ void SolidFlow::extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> b
               [](const Solids::GhostSource& source, std::size_t field) { return field == 2 ? 0.0f : source.wall; });
 }
 
-void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
+void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& prescribed, bool bodies_move,
                                  std::span<const float> guess, float factor, float* potential, std::span<float> guessed) const {
     std::fill(guessed.begin(), guessed.end(), 0.0f);
     for (const Solids::InsideCell& cell : solids_.inside())
         if (cell.shut)
             potential[cell.potential] = 0.0f;
-    const bool prescribed = given.any(), rooms = prescribed && !solids_.rooms().empty();
+    const bool any = prescribed.any(), rooms = any && !solids_.rooms().empty();
     for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
         float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
-        if (prescribed)
-            both += ambient_at(given, face.cell[0])[face.axis] + ambient_at(given, face.cell[1])[face.axis];
+        if (any)
+            both += ambient_at(prescribed, face.cell[0])[face.axis] + ambient_at(prescribed, face.cell[1])[face.axis];
         const float flux = 0.5f * face.closed * both - (bodies_move ? face.wall : 0.0f);
         for (int end = 0; end < 2; ++end)
             if (!face.shut[end])
-                potential[face.potential[end]] +=
-                    (end == 0 ? -scales.cell[end] : scales.cell[end]) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
+                potential[face.potential[end]] += (end == 0 ? -scales.cell[end] : scales.cell[end]) *
+                                                  (flux - (rooms ? blown_past(prescribed, face, end) : 0.0f));
         const float passed = factor > 0.0f ? factor * (scales.link * guess[n]) : 0.0f;
         guessed[face.surface[0]] += scales.cell[0] * passed;
         guessed[face.surface[1]] -= scales.cell[1] * passed;
@@ -116,12 +116,12 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
 
 // What a face's flux counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the wind is
 // part of the velocity beyond the face.
-float SolidFlow::blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const {
+float SolidFlow::blown_past(const PrescribedFlow& prescribed, const ClosedFace& face, int end) const {
     if (!solids_.is_sheltered(face.cell[end]))
         return 0.0f;
     const std::uint32_t here = face.cell[end], other = face.cell[1 - end];
-    const float beyond = ambient_at(given, other)[face.axis];
-    const float both = ambient_at(given, here)[face.axis] + beyond;
+    const float beyond = ambient_at(prescribed, other)[face.axis];
+    const float both = ambient_at(prescribed, here)[face.axis] + beyond;
     return 0.5f * (face.closed * both + (solids_.is_sheltered(other) ? 0.0f : (1.0f - face.closed) * beyond));
 }
 
@@ -164,16 +164,16 @@ void SolidFlow::open_gradient(std::span<const float> slope, std::span<glm::vec4>
     });
 }
 
-void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const {
-    const bool prescribed = given.any();
+void SolidFlow::hold_bodies(const PrescribedFlow& prescribed, bool bodies_move, std::span<glm::vec4> velocity) const {
+    const bool any = prescribed.any();
     const std::span<const PlacedObstacle> bodies = solids_.bodies();
     const bool moving = bodies_move && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); });
     for (const Solids::InsideCell& cell : solids_.inside()) {
         glm::vec3 u(0.0f);
         if (moving && bodies[cell.body].moves())
             u = bodies[cell.body].velocity_at(box_.metres(glm::vec3(solids_.place_of(cell.cell)) + 0.5f));
-        if (prescribed)
-            u -= given_at(given, cell.cell);
+        if (any)
+            u -= prescribed_at(prescribed, cell.cell);
         velocity[cell.cell] = glm::vec4(u, 0.0f);
     }
 }
@@ -295,15 +295,15 @@ glm::vec3 SolidFlow::wall_at(const ClosedFace& face) const {
     return body.velocity_at(box_.metres(place));
 }
 
-void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
+void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& prescribed, float ratio,
                                 std::span<glm::vec4> result) const {
-    const bool prescribed = given.any();
+    const bool any = prescribed.any();
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
             const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]);
-            const glm::vec3 stuck = 2.0f * (wall - (prescribed ? given_at(given, face.cell[end]) : glm::vec3(0.0f)) - here);
+            const glm::vec3 stuck = 2.0f * (wall - (any ? prescribed_at(prescribed, face.cell[end]) : glm::vec3(0.0f)) - here);
             glm::vec3 flux(0.0f);
             if (sticks)
                 flux = stuck;
@@ -315,15 +315,15 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
     });
 }
 
-void SolidFlow::drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const {
-    const bool prescribed = given.any();
+void SolidFlow::drag_along_walls(const PrescribedFlow& prescribed, float ratio, std::span<glm::vec4> field) const {
+    const bool any = prescribed.any();
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
             const std::uint32_t cell = face.cell[end];
             const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.closed, part = way / (1.0f + way);
-            const glm::vec3 apart = wall - (prescribed ? given_at(given, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
+            const glm::vec3 apart = wall - (any ? prescribed_at(prescribed, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
             for (int axis = 0; axis < 3; ++axis)
                 if (sticks || axis == face.axis)
                     field[cell][axis] += part * apart[axis];

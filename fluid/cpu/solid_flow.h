@@ -38,13 +38,13 @@ class SolidFlow {
 
     /// Writes the air's values into the ghost cells, slipping along the bodies' surfaces, so that a
     /// read beside a body finds air. That of the history has no part normal to them.
-    void extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const;
+    void extend(std::span<glm::vec4> velocity, const PrescribedFlow& prescribed) const;
     void extend_history(std::span<glm::vec4> history) const;
     /// All that a step reads, where no wind is prescribed.
     void extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box. `guessed`,
     /// in surface cells: B phi of `factor` times the slopes of a guess.
-    void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
+    void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& prescribed, bool bodies_move,
                           std::span<const float> guess, float factor, float* potential, std::span<float> guessed) const;
     /// slope[n] = closed times the potential's difference over face n.
     void closed_slopes(const float* potential, std::span<float> slope) const;
@@ -57,14 +57,14 @@ class SolidFlow {
     void open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                        float weight) const;
     /// Sets cells inside to the bodies' own velocity, less the prescribed part.
-    void hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const;
+    void hold_bodies(const PrescribedFlow& prescribed, bool bodies_move, std::span<glm::vec4> velocity) const;
     /// Corrects one explicit pass of diffusion: closed faces have no flux, or that of a wall to which the air sticks.
-    void close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
+    void close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& prescribed, float ratio,
                          std::span<glm::vec4> result) const;
 
     /// Before an implicit pass of diffusion, which is that of the empty box: air beside closed faces takes the drag of the walls,
     /// implicit in each cell, and ghost cells take the air's values, so that they exchange nothing with it.
-    void drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const;
+    void drag_along_walls(const PrescribedFlow& prescribed, float ratio, std::span<glm::vec4> field) const;
 
     /// Writes the divergence [1/s] of surface cells and of cells inside, which is 0. `flux`: scratch, one a surface cell.
     void find_divergence(std::span<const glm::vec4> velocity, std::span<float> flux, std::span<float> divergence) const;
@@ -80,9 +80,9 @@ class SolidFlow {
     /// [m/s] Of the body that closes a face, at the face.
     [[nodiscard]] glm::vec3 wall_at(const ClosedFace& face) const;
     /// The prescribed part at a cell: the wind, which does not blow in a closed room.
-    [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
-    [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& given, std::uint32_t cell) const;
-    [[nodiscard]] float blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const;
+    [[nodiscard]] glm::vec3 prescribed_at(const PrescribedFlow& prescribed, std::uint32_t cell) const;
+    [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& prescribed, std::uint32_t cell) const;
+    [[nodiscard]] float blown_past(const PrescribedFlow& prescribed, const ClosedFace& face, int end) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
     /// What closed faces take from the sums of central_divergence, one a surface cell.
     void find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const;

@@ -23,7 +23,7 @@
 //
 // A is the ambient wind while it gusts: a frozen pattern, advected by the mean wind inside the box as outside. A is divergence-
 // free except for the part that a wall removes. Walls block v, not A. A solved A would evolve inside but not outside, and each
-// shift of the box would cause a jump (0.07 m/s in a wind of 2 m/s). Advection of A by v: kernels/advect.inl, carry_given. It
+// shift of the box would cause a jump (0.07 m/s in a wind of 2 m/s). Advection of A by v: kernels/advect.inl, carry_prescribed. It
 // is 0 to the bit where v = 0.
 //
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): complete stages in sequence, order 1.
@@ -134,19 +134,19 @@ class Cells::Solving {
         cells.foresee_gusts(report);
         const float strength = cells.around_.gust_strength(), still = cells.config_.sleep_speed;
         const glm::vec3 mean = cells.around_.mean();
-        workspace_.given = {.now = cells.ambient_field_.data(),
-                            .next = cells.ambient_next_.data(),
-                            .source_flow = cells.has_source_flow() ? &cells.source_flow[0].x : nullptr,
-                            .gusts_squared = strength * strength,
-                            .still_squared = still * still,
-                            .legal = {},
-                            .bends = cells.profile_bends_.empty() ? nullptr : cells.profile_bends_.data(),
-                            .mean = {mean.x, mean.y, mean.z, 0.0f}};
+        workspace_.prescribed = {.now = cells.ambient_field_.data(),
+                                 .next = cells.ambient_next_.data(),
+                                 .source_flow = cells.has_source_flow() ? &cells.source_flow[0].x : nullptr,
+                                 .gusts_squared = strength * strength,
+                                 .still_squared = still * still,
+                                 .legal = {},
+                                 .bends = cells.profile_bends_.empty() ? nullptr : cells.profile_bends_.data(),
+                                 .mean = {mean.x, mean.y, mean.z, 0.0f}};
     }
     ~Solving() {
         workspace_.ambient = ambient_;
         workspace_.mean_cells = mean_cells_;
-        workspace_.given = {};
+        workspace_.prescribed = {};
     }
     Solving(const Solving&) = delete;
     Solving& operator=(const Solving&) = delete;
@@ -185,7 +185,7 @@ void Cells::rehearse(float dt, Diagnostics& report) {
 void Cells::perform(float dt, int solves, Diagnostics& report) {
     extend_into_bodies();
     const Solving solving(*this, report);
-    const std::span<const glm::vec4> carried = mix(diffuse(without_given_flow(), dt, report), dt, report);
+    const std::span<const glm::vec4> carried = mix(diffuse(without_prescribed(), dt, report), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
     const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
@@ -199,7 +199,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
         sources,
         {.cells = box().cells, .dt = dt, .substeps = report.substeps, .plants = canopy_, .parallel_for = &config_.parallel_for});
     const bool gusting = around_.gusting();
-    const auto given = [&](std::size_t n, glm::ivec3 cell) {
+    const auto prescribed_wind = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(0.0f);
         if (has_source_flow())
             u += glm::vec3(source_flow[n]);
@@ -213,7 +213,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
             const glm::vec3 rest(rest_at(n, cell.x, cell.y, cell.z));
             u = rest + transport.relaxation * (u - rest);
         }
-        return u + given(n, cell);
+        return u + prescribed_wind(n, cell);
     };
     if (acting.any()) {
         if (!(transport.history_scale > k_min_scale)) {
@@ -234,7 +234,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
     }
     carry_gusts();
     if (acting.any())
-        acting.arrive(given, transport.history_scale, air.history, arrived);
+        acting.arrive(prescribed_wind, transport.history_scale, air.history, arrived);
     {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         if (config_.stages.projection)
@@ -242,7 +242,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
     }
-    add_given_flow(arrived, 1.0f);
+    add_prescribed(arrived, 1.0f);
     bound_rooms(air.velocity, arrived);
     std::swap(air.velocity, air.velocity_old);
     forget_inside();
@@ -254,7 +254,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     sources.add_force_to(air.velocity, dt, config_.parallel_for);
     extend_into_bodies();
     const Solving solving(*this, report);
-    const std::span<const glm::vec4> carried = mix(diffuse(without_given_flow(), dt, report), dt, report);
+    const std::span<const glm::vec4> carried = mix(diffuse(without_prescribed(), dt, report), dt, report);
     Transport transport{
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
@@ -267,7 +267,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity_old, {}, 1.0f, pressure_solves(config_, true), report);
     }
-    add_given_flow(air.velocity_old, 1.0f);
+    add_prescribed(air.velocity_old, 1.0f);
     bound_rooms(air.velocity, air.velocity_old);
     std::swap(air.velocity, air.velocity_old);
 }
@@ -278,7 +278,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
     const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
-    if (const auto carried = mix(diffuse(without_given_flow(), dt, report), dt, report); carried.data() != air.velocity.data())
+    if (const auto carried = mix(diffuse(without_prescribed(), dt, report), dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (const float factor = relaxation(config_, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
@@ -290,7 +290,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity, {}, 1.0f, pressure_solves(config_, true), report);
     }
-    add_given_flow(air.velocity, 1.0f);
+    add_prescribed(air.velocity, 1.0f);
     air.fresh = true;
 }
 
@@ -365,11 +365,11 @@ void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
 }
 
 // v; the velocity itself where nothing is prescribed.
-std::span<const glm::vec4> Cells::without_given_flow() {
+std::span<const glm::vec4> Cells::without_prescribed() {
     if (!has_source_flow() && !around_.gusting())
         return air.velocity;
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
-    add_given_flow(solved, -1.0f);
+    add_prescribed(solved, -1.0f);
     if (work.state().has_solids()) {
         const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
         work.state().solid_flow().extend(solved, prescribed());
@@ -377,7 +377,7 @@ std::span<const glm::vec4> Cells::without_given_flow() {
     return solved;
 }
 
-void Cells::add_given_flow(std::span<glm::vec4> field, float factor) {
+void Cells::add_prescribed(std::span<glm::vec4> field, float factor) {
     if (has_source_flow())
         add_scaled(field, source_flow, factor);
     if (around_.gusting())

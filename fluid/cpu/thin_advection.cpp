@@ -199,9 +199,9 @@ class ThinReader {
         const Point end = walk(cell, way, mixed);
         read<Components, Cubic>(task_.padded_carried, cell, end, true, value, mixed, !room_ && !mixed);
         float* const result = task_.result + Components * static_cast<std::size_t>(n);
-        if (room_ || (mixed && task_.given.now == nullptr))
+        if (room_ || (mixed && task_.prescribed.now == nullptr))
             std::copy(value, value + Components, result);
-        if (room_ || !mixed || task_.given.now == nullptr)
+        if (room_ || !mixed || task_.prescribed.now == nullptr)
             return;
         // The kernels have added the background's part.
         float crossing[Components];
@@ -281,8 +281,8 @@ class ThinReader {
             return 0.0f;
         const cpu::ClosedFace* const closed_face = solids_.face(low, axis);
         float speed = closed_face != nullptr ? closed_face->wall / closed_face->closed : 0.0f;
-        if (task_.given.now != nullptr && !room_)
-            speed -= task_.given.now[4 * padded_index(slipped(cell)) + axis];
+        if (task_.prescribed.now != nullptr && !room_)
+            speed -= task_.prescribed.now[4 * padded_index(slipped(cell)) + axis];
         return speed;
     }
 

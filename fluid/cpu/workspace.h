@@ -8,6 +8,7 @@
 #include "fluid/operators.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,7 +17,19 @@ namespace windrow {
 
 namespace cpu {
 class FreeAir;
-}
+
+/// Rows of phi / h, `pitch` floats apart.
+struct Potential {
+    const float* rows;
+    int pitch;
+};
+/// Another solve of the pressure, for comparison: it takes the divergence times h from rows at `rhs`, `pitch` floats apart.
+struct PressureSolve {
+    float* rhs = nullptr;
+    int pitch = 0;
+    std::function<Potential()> solve;
+};
+} // namespace cpu
 
 struct WINDROW_HIDDEN Workspace::State {
     using Rules = std::array<std::vector<cpu::HaloRule>, 3>;
@@ -31,7 +44,7 @@ struct WINDROW_HIDDEN Workspace::State {
     /// The same with gusts: the wind seen by trajectories beyond an open boundary.
     const float* ambient_cells = nullptr;
     /// The prescribed background wind, within a step in gusts; the advection sets its `legal`.
-    cpu::GivenWind given{};
+    cpu::PrescribedWind prescribed{};
     /// [m/s] Largest component of the velocity that the next advection follows, where it is known; else it is looked for.
     std::optional<float> fastest{};
     ParallelFor parallel_for;
@@ -74,8 +87,11 @@ struct WINDROW_HIDDEN Workspace::State {
     [[nodiscard]] cpu::AdvectTask advect_task() const;
     /// A DivergenceTask with this box's boundaries; the caller sets its result.
     [[nodiscard]] cpu::DivergenceTask divergence_task(const float* velocity, float scale) const;
-    /// Central divergence into `potential`, times `scale`.
-    void divergence_to_potential(const float* velocity, float scale);
+    /// Central divergence into `potential`, or into rows elsewhere, times `scale`.
+    void divergence_to_potential(const float* velocity, float scale) {
+        divergence_to(potential.data(), pressure.pitch(), velocity, scale);
+    }
+    void divergence_to(float* rows, int pitch, const float* velocity, float scale);
     /// field = factor * potential.
     void copy_potential(std::span<float> field, float factor);
     /// potential -= factor * field.
@@ -88,15 +104,17 @@ struct WINDROW_HIDDEN Workspace::State {
     /// Solution around obstacles: phi = L^-1 (div w + B phi_guess), then steps of conjugate gradients preconditioned by L^-1.
     /// The residual of such a phi is B (phi - phi_guess): 0 away from surface cells.
     struct SolidSolve {
-        bool keeps_terms = false;    ///< solid_terms take B phi of the solution, as `note` keeps q
-        float guess_scale = 0.0f;    ///< of solid_terms, for the first solve; 0: no guess
-        cpu::PrescribedFlow given{}; ///< not in the velocity, but stopped by walls
-        bool bodies_move = true;     ///< false: walls at rest, whatever their bodies do
-        int solves = 1;              ///< most
-        float tolerance = 0.0f;      ///< residual at which it stops
-        float residual = 0.0f;       ///< result: |div w - A phi| over |div w| of the surface cells
-        int solved = 0;              ///< result
+        bool keeps_terms = false;         ///< solid_terms take B phi of the solution, as `note` keeps q
+        float guess_scale = 0.0f;         ///< of solid_terms, for the first solve; 0: no guess
+        cpu::PrescribedFlow prescribed{}; ///< not in the velocity, but stopped by walls
+        bool bodies_move = true;          ///< false: walls at rest, whatever their bodies do
+        int solves = 1;                   ///< most
+        float tolerance = 0.0f;           ///< residual at which it stops
+        float residual = 0.0f;            ///< result: |div w - A phi| over |div w| of the surface cells
+        int solved = 0;                   ///< result
     };
+    /// In place of the direct solve; null: none. Without obstacles and volume sources.
+    const cpu::PressureSolve* other_solve = nullptr;
     /// As project() in operators.h, with phi / h from `beyond` beyond open boundaries; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                  const cpu::FreeAir* beyond = nullptr, SolidSolve* around = nullptr);

@@ -52,6 +52,8 @@ class DeviceCells final : public CellStorage {
     void show(const FrameBlend& blend) override;
     void show_air() override { shows_anew = true; }
     [[nodiscard]] MeasuredSpeed measured() const override {
+        if (read_backs_.tick() <= loaded_tick_) // what a loaded wind measured is in its snapshot
+            return {};
         return {.tick = read_backs_.tick(), .largest = read_backs_.report().largest_component};
     }
     [[nodiscard]] Result<void> check(const Gusts& gusts) const override;

@@ -15,7 +15,7 @@ layout(std430, set = 0, binding = 6) readonly buffer History { vec4 history[]; }
 layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; };
 #define WINDROW_SOLIDS 10
-#include "fluid/given.glsl"
+#include "fluid/prescribed.glsl"
 #include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
 
@@ -84,8 +84,8 @@ float bend_at(int at, float t, ivec3 s) {
 }
 
 // What the perturbation carries of the prescribed background wind, beside `w`, which was carried along `displacement` [cells]:
-// fluid/cpu/kernels/advect.inl, carry_given.
-vec3 given_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
+// fluid/cpu/kernels/advect.inl, carry_prescribed.
+vec3 prescribed_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
     vec3 v = w;
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         v += source_flow[at].xyz;
@@ -120,9 +120,9 @@ vec3 held(vec3 w, ivec3 cell, int at) {
     const WindrowHold hold = hold_of(cell, at);
     if (!(hold.drives.w > 0.0f || hold.way > 0.0f))
         return w;
-    const vec3 given = given_part(cell, at, elapsed() + control.substep_duration);
+    const vec3 prescribed = prescribed_part(cell, at, elapsed() + control.substep_duration);
     const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history_of(cell, at);
-    return windrow_held_arriving(w + given, pressure, hold) - given;
+    return windrow_held_arriving(w + prescribed, pressure, hold) - prescribed;
 }
 
 // The velocity that a trajectory begins with.
@@ -167,7 +167,7 @@ void main() {
         from = locate(cell, displacement, stride, true, t);
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
         if (is_on(WINDROW_GUSTS))
-            result += given_carried(result, cell, at, displacement, stride);
+            result += prescribed_carried(result, cell, at, displacement, stride);
         if (k_careful && has_obstacles()) {
             const int byte = solid_byte(solid_number(cell));
             const bool room = (byte & WINDROW_BYTE_ROOM) != 0;

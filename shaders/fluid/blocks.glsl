@@ -16,9 +16,9 @@
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
 #define WINDROW_RELAXES 32
-#define WINDROW_GUSTS 64               // the ambient wind is given, not solved
+#define WINDROW_GUSTS 64               // the ambient wind is prescribed, not solved
 #define WINDROW_PROFILE 128            // the mean wind is not the same at all heights
-#define WINDROW_HAS_SOURCE_FLOW 256    // u_S is given, not solved
+#define WINDROW_HAS_SOURCE_FLOW 256    // u_S is prescribed, not solved
 #define WINDROW_RENEWS_SOURCE_FLOW 512 // u_S changes in this tick
 #define WINDROW_DIFFUSES 1024          // viscosity may act
 #define WINDROW_PUSHES 2048            // a motor of this tick is a force

@@ -11,7 +11,7 @@ layout(std430, set = 0, binding = 4) readonly buffer SourceFlow { vec4 source_fl
 layout(std430, set = 0, binding = 5) readonly buffer Rules { WindrowRule rules[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer Diffused { vec4 diffused[]; };
 #define WINDROW_SOLIDS 8
-#include "fluid/given.glsl"
+#include "fluid/prescribed.glsl"
 #include "fluid/ghosts.glsl"
 #include "fluid/viscosity.glsl"
 

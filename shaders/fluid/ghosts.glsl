@@ -1,5 +1,5 @@
 // Cells inside bodies that a read from outside reaches: their value is a weighted sum of the air's around them, each slipping
-// along the body's surface (SolidFlow::extend on the CPU). Before this text: given.glsl.
+// along the body's surface (SolidFlow::extend on the CPU). Before this text: prescribed.glsl.
 
 struct AirTerm {
     ivec3 cell;

@@ -18,7 +18,7 @@ layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[];
 layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
 #define WINDROW_SOLIDS 11
-#include "fluid/given.glsl"
+#include "fluid/prescribed.glsl"
 #include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
 
@@ -64,7 +64,7 @@ Departing departing(ivec3 cell, int record) {
         if (is_on(WINDROW_PUSHES))
             air.held += (0.5f * control.substep_duration) * force[source].xyz;
         if (anything_holds()) {
-            const vec3 whole = relaxed(air.carried, cell, record) + given_part(cell, source, elapsed());
+            const vec3 whole = relaxed(air.carried, cell, record) + prescribed_part(cell, source, elapsed());
             air.held += windrow_held_departing(whole, hold_of(cell, source)) - whole;
         }
     }

@@ -122,7 +122,7 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
     return windrow_ambient(0, wind, centre_of(cell));
 }
 
-// What is solved for meets beyond open boundaries: still air while the gusts are given.
+// What is solved for meets beyond open boundaries: still air while the gusts are prescribed.
 vec3 solved_ambient(ivec3 cell) { return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false); }
 
 float largest_component(vec3 u) {

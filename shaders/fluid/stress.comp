@@ -11,7 +11,7 @@ layout(std430, set = 0, binding = 4) readonly buffer SourceFlow { vec4 source_fl
 layout(std430, set = 0, binding = 5) readonly buffer Layer { float layer[]; }; // faces, then two tables of the ambient wind
 layout(std430, set = 0, binding = 6) buffer Diffused { vec4 diffused[]; };
 #define WINDROW_SOLIDS 8
-#include "fluid/given.glsl"
+#include "fluid/prescribed.glsl"
 
 // One row of a column: u, the part of it that is solved for, and the ambient wind A; of horizontal components.
 struct Row {

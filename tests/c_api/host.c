@@ -82,6 +82,7 @@ static void check_hooks(heap* counts) {
     windrow_wind* wind = NULL;
     windrow_config config = small_config();
     windrow_gusts gusts;
+    windrow_omni_motor buried;
     log_lines lines;
     int64_t calls;
     int n;
@@ -108,6 +109,12 @@ static void check_hooks(heap* counts) {
     windrow_set_logger(log_line, &lines);
     CHECK(windrow_wind_follow(NULL, dvec3(0.0, 0.0, 0.0)) == WINDROW_REJECTED);
     CHECK(lines.errors == 1 && strcmp(lines.last, windrow_last_error()) == 0);
+    CHECK_OK(windrow_omni_motor_init(&buried, sizeof buried));
+    buried.position = dvec3(0.0, -1000.0, 0.0);
+    CHECK_OK(windrow_wind_add_omni(wind, &buried, NULL));
+    for (n = 0; n < 2; ++n) /* it is told of once */
+        CHECK_OK(windrow_wind_step(wind, 0.02, NULL));
+    CHECK(lines.warnings == 1 && strstr(lines.last, "under the ground") != NULL);
     windrow_set_logger(NULL, NULL);
     CHECK(windrow_wind_follow(NULL, dvec3(0.0, 0.0, 0.0)) == WINDROW_REJECTED && lines.errors == 1);
 

@@ -17,7 +17,7 @@ LAYER_SETTINGS = """khronos_validation.enables = VK_VALIDATION_FEATURE_ENABLE_SY
 khronos_validation.report_flags = error,warn,perf
 khronos_validation.debug_action = VK_DBG_LAYER_ACTION_LOG_MSG
 """
-LINES = re.compile(r".+: (\d+) frames of 640 x 360 px, 20000 blades, [\d.]+ MiB beside the wind's [\d.]+ MiB, in (.+)\n"
+LINES = re.compile(r".+: (\d+) frames of 640 x 360 px, [1-9]\d* chunks of grass, [\d.]+ MiB beside the wind's [\d.]+ MiB, in (.+)\n"
                    r"((?:\w+ +\d+ us\n)*)")
 STAGES = ["wind", "prepare", "shadow", "colour", "tone", "copy"]
 WIDTH, HEIGHT = 640, 360

@@ -89,7 +89,7 @@ TEST_P(WindScenarios, AreThoseOfTheCpu) {
     constexpr int k_apart = 12;
     const int every = test::whole_sweeps() ? 12 : 40;
     double from_common_start = 0.0;
-    for (int n = 0; n < 100;) {
+    for (int n = 0; n < row.steps;) {
         if (n % every == 0) {
             const auto bytes = cpu->save();
             ASSERT_TRUE(bytes);
@@ -103,8 +103,8 @@ TEST_P(WindScenarios, AreThoseOfTheCpu) {
         }
         const double off = together(row, *cpu, *gpu, n, 4);
         n += 4;
-        if (n == 100 && !row.chaotic) {
-            WINDROW_EXPECT_FIGURE("wind_scenarios.100_steps." + row.name, off, 1e-4);
+        if (n == row.steps && !row.chaotic) {
+            WINDROW_EXPECT_FIGURE("wind_scenarios." + std::to_string(row.steps) + "_steps." + row.name, off, 1e-4);
         }
     }
     WINDROW_EXPECT_FIGURE("wind_scenarios.from_a_common_start." + row.name, from_common_start, row.chaotic ? 1.0 : 1e-5);

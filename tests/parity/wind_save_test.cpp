@@ -205,6 +205,56 @@ TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
     expect_error(made->saved(), "no wind is saved");
 }
 
+// Air that is faster than all that acts, and a body that moves in it: the number of sub-steps follows from speeds that the snapshot
+// holds. A pause after loading measures none, and must not take their place.
+TEST_F(WindSaves, APauseAfterLoadKeepsTheSpeeds) {
+    auto cpu = windrow::Wind::create({.cells = {14, 10, 12}, .cell_size = 0.5f});
+    ASSERT_TRUE(cpu);
+    cpu->set_velocity([](glm::dvec3 p) { return glm::vec3(glm::length(p) < 2.0 ? 60.0f : 0.0f, 0.0f, 0.0f); });
+    const auto ball = cpu->obstacles().add({.position = {-1.0, 0.0, 2.0}, .shape = Sphere{0.7f}});
+    ASSERT_TRUE(ball);
+    const auto move = [&](auto& wind, int n) {
+        EXPECT_TRUE(wind.obstacles().move({.slot = ball->slot, .generation = ball->generation}, {-1.0 + 0.02 * n, 0.0, 2.0}));
+    };
+    int n = 0;
+    for (; n < 4; ++n) {
+        move(*cpu, n);
+        (void)cpu->step(1.0 / 60.0);
+    }
+    Wind loaded = load(*cpu->save());
+    record(loaded, 0.0, false);
+    int most = 0;
+    for (; n < 14; ++n) {
+        move(*cpu, n);
+        move(loaded, n);
+        const int on_cpu = cpu->step(1.0 / 60.0).substeps;
+        record(loaded, 1.0 / 60.0, false);
+        EXPECT_EQ(loaded.diagnostics().substeps, on_cpu) << "step " << n;
+        most = std::max(most, on_cpu);
+    }
+    EXPECT_GT(most, 1);
+}
+
+// What is read back and the cells in obstacles are of one place, also after a change that waits for the next recording.
+TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
+    auto wind = Wind::create(own->host(), {.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 0.0f}}, k_settings);
+    ASSERT_TRUE(wind) << wind.error();
+    ASSERT_TRUE(wind->obstacles().add({.shape = Block{{4.0f, 4.0f, 4.0f}}}));
+    record(*wind, 1.0 / 30.0, false);
+    std::vector<float> before(wind->box().cell_count()), after(before.size());
+    ASSERT_TRUE(wind->write_obstacles(before));
+    EXPECT_TRUE(wind->follow({3.0, 0.0, 0.0}));
+    ASSERT_TRUE(wind->write_obstacles(after));
+    EXPECT_EQ(before, after) << "the view still is of the box before";
+    record(*wind, 0.0, false);
+    ASSERT_TRUE(wind->write_obstacles(after));
+    const auto view = wind->view();
+    ASSERT_TRUE(view);
+    EXPECT_EQ(view->origin(), wind->origin());
+    EXPECT_NE(before, after);
+    EXPECT_EQ(std::count(after.begin(), after.end(), 1.0f), 8 * 8 * 8);
+}
+
 // The pressure's history at the bodies is part of it: without it the wind goes on otherwise.
 TEST_F(WindSaves, ObstaclesGoOn) {
     const Config config{.cells = {16, 10, 12}, .ambient = {5.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}};

@@ -30,8 +30,8 @@ class Drawable {
     virtual void draw(const PassContext& context) = 0;
 };
 
-/// Targets that a drawable's pipelines must fit: its vertex stage writes the inputs of vegetation/shaders/render/plant.frag, or
-/// its fragment stage writes light and motion itself.
+/// Targets that a drawable's pipelines must fit. The fragment stage writes light to location 0 and motion to location 1, as
+/// vegetation/shaders/render/solid.frag does.
 struct DrawTargets {
     engine::PassTarget colour{}, shadow{};
     VkDescriptorSetLayout frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;

@@ -1,7 +1,7 @@
 // The renderer's formulas of light as C++: the same text of shaders/numerics that its shaders include.
 #pragma once
 
-#include "place_numerics.h" // its noise
+#include "../grass/grass_numerics.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -14,6 +14,7 @@
 #define WINDROW_FN inline
 namespace windrow::vegetation::render::numerics {
 using namespace glm;
+using windrow::numerics::windrow_place_noise; // of the clouds
 #include "../shaders/numerics/cloud_layer.glsl"
 #include "../shaders/numerics/leaf_light.glsl"
 #include "../shaders/numerics/motion_blur.glsl"

@@ -1,7 +1,7 @@
 // The small renderer: sun with shadows, sky, fog, ground and whatever drawables a host adds, offscreen.
 //
 //     auto renderer = render::Renderer::create(device, scene, {.anchor = field});
-//     auto grass = render::BladeGrid::create(device, (*renderer)->draw_targets(), scene.plants, scene.look, places);
+//     auto grass = render::GrassLayer::create(device, (*renderer)->draw_targets(), scene.ground, mask, {.look = scene.look});
 //     (*renderer)->add(**grass);
 //     const engine::Frame frame = *frames->begin();
 //     (*renderer)->begin(frame);                                   // the clock

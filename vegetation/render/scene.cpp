@@ -42,8 +42,8 @@ void check_rules(Reasons& reasons, const FieldPath& path, const Camera& camera) 
 }
 
 void check_rules(Reasons& reasons, const FieldPath& path, const PlantLook& look) {
-    const glm::vec3 through = (1.0f + 0.1f * look.against_light) *
-                              glm::max(look.through, 0.3f * look.through + 0.7f * look.dry); // as plant.frag mixes them
+    const glm::vec3 through =
+        (1.0f + 0.1f * look.against_light) * glm::max(look.through, 0.3f * look.through + 0.7f * look.dry); // fresh, and dry
     const glm::vec3 leaf = glm::max(glm::max(look.root, look.tip), glm::max(look.dry, look.second)) + through;
     const glm::vec3 brightest = glm::max(leaf, look.head * (1.3f + 0.03f * look.against_light)); // field_blade.vert
     const float most = std::max({brightest.r, brightest.g, brightest.b});

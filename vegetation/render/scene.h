@@ -106,8 +106,7 @@ struct Ground {
 };
 
 /// Colours are linear albedo, 0 to 1. What comes back and what shines through, the latter times 1 + against_light / 10, add up to
-/// at most 0.6: leaves of all directions then give no more light than they get. From `second` on only grass fields and the ground
-/// under them have it.
+/// at most 0.6: leaves of all directions then give no more light than they get.
 struct PlantLook {
     glm::vec3 root{0.032f, 0.052f, 0.014f};
     glm::vec3 tip{0.120f, 0.170f, 0.045f};

@@ -161,13 +161,14 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_record(windrow_wind* wind, voi
         for (const windrow_result outcome : {check_output(advance), check_output(last)})
             if (outcome != WINDROW_OK)
                 return outcome;
-        return with(frame, [&](const vulkan::Frame& wanted) {
+        return with(frame, [&](const vulkan::Frame& wanted) -> windrow_result {
             const auto recorded = air.record(commands_of(commands), wanted);
-            if (recorded) {
-                give_cpp(*recorded, advance);
-                give_cpp(recorded->last, last);
-            }
-            return done(recorded);
+            if (!recorded)
+                return done(recorded);
+            give_cpp(*recorded, advance);
+            give_cpp(recorded->last, last);
+            warn_of(*wind, recorded->last);
+            return WINDROW_OK;
         });
     });
 }
@@ -177,11 +178,13 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_record_step(windrow_wind* wind
     return with_air(wind, {{commands, "commands"}, {frame, "frame"}}, [&](vulkan::Wind& air) -> windrow_result {
         if (const windrow_result outcome = check_output(diagnostics); outcome != WINDROW_OK)
             return outcome;
-        return with(frame, [&](const vulkan::Frame& wanted) {
+        return with(frame, [&](const vulkan::Frame& wanted) -> windrow_result {
             const auto recorded = air.record_step(commands_of(commands), wanted);
-            if (recorded)
-                give_cpp(*recorded, diagnostics);
-            return done(recorded);
+            if (!recorded)
+                return done(recorded);
+            give_cpp(*recorded, diagnostics);
+            warn_of(*wind, *recorded);
+            return WINDROW_OK;
         });
     });
 }

@@ -260,7 +260,7 @@ inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
 
 // Difference between a cubic and a linear read of the profile, as a factor of the mean wind: Everett's form of the cubic.
 inline void bends_at(const AdvectTask& task, const CellRun& run, const Displacements& displacements, float* bends) {
-    const float* const rows = task.given.bends + k_halo_low;
+    const float* const rows = task.prescribed.bends + k_halo_low;
     const Legal& legal = task.legal;
     const auto cell = static_cast<float>(run.j);
     for (int group = 0; group < run.count; group += k_lanes)
@@ -300,18 +300,18 @@ inline bool any_beyond(const float* cells, int count, float squared) {
 // the pressure. A is interpolated linearly, its profile like the advected field, so that fading gusts give the solution of the
 // whole wind.
 template <class Interpolant>
-inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, const CellRun& run, Displacements& displacements,
-                        Points& points) {
-    const GivenWind& given = task.given;
+inline void carry_prescribed(const AdvectTask& task, const PaddedStrides& strides, const CellRun& run,
+                             Displacements& displacements, Points& points) {
+    const PrescribedWind& prescribed = task.prescribed;
     const int count = run.count, floats = (count + k_lanes - 1) / k_lanes * k_lanes;
     float* const result = task.result + 4 * run.first;
-    if (given.source_flow == nullptr && !any_beyond(result, count, given.still_squared))
+    if (prescribed.source_flow == nullptr && !any_beyond(result, count, prescribed.still_squared))
         return;
     Displacements v;
     split_components(result, count, v);
-    if (given.source_flow != nullptr) {
+    if (prescribed.source_flow != nullptr) {
         Displacements flow;
-        split_components(given.source_flow + 4 * run.first, count, flow);
+        split_components(prescribed.source_flow + 4 * run.first, count, flow);
         for (int axis = 0; axis < 3; ++axis)
             for (int n = 0; n < floats; ++n)
                 v.axis[axis][n] += flow.axis[axis][n];
@@ -322,15 +322,15 @@ inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, co
         squares[n] = v.axis[0][n] * v.axis[0][n] + (v.axis[1][n] * v.axis[1][n] + v.axis[2][n] * v.axis[2][n]);
         largest = squares[n] > largest ? squares[n] : largest;
     }
-    if (!(largest > given.still_squared))
+    if (!(largest > prescribed.still_squared))
         return;
     alignas(64) float at_departure[4 * k_row_chunk], at_own[4 * k_row_chunk];
     alignas(64) float departure_bends[k_row_chunk] = {}, own_bends[k_row_chunk] = {};
-    const bool bent = given.bends != nullptr && Interpolant::k_cubic;
-    const float* const next = given.next + 4 * padded_index(strides, run.i, run.j, run.k);
-    const Ahead ahead = {given.now + 4 * padded_index(strides, run.i, run.j, run.k + 2), next};
-    locate(given.legal, strides, run, displacements, points);
-    sample_run<Linear>(given.now, points, strides, count, ahead, at_departure);
+    const bool bent = prescribed.bends != nullptr && Interpolant::k_cubic;
+    const float* const next = prescribed.next + 4 * padded_index(strides, run.i, run.j, run.k);
+    const Ahead ahead = {prescribed.now + 4 * padded_index(strides, run.i, run.j, run.k + 2), next};
+    locate(prescribed.legal, strides, run, displacements, points);
+    sample_run<Linear>(prescribed.now, points, strides, count, ahead, at_departure);
     if (bent)
         bends_at(task, run, displacements, departure_bends);
     for (int axis = 0; axis < 3; ++axis) {
@@ -339,15 +339,15 @@ inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, co
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] += per_speed * v.axis[axis][n];
     }
-    locate(given.legal, strides, run, displacements, points);
-    sample_run<Linear>(given.now, points, strides, count, ahead, at_own);
+    locate(prescribed.legal, strides, run, displacements, points);
+    sample_run<Linear>(prescribed.now, points, strides, count, ahead, at_own);
     if (bent)
         bends_at(task, run, displacements, own_bends);
-    const Cell mean = load_cell(given.mean);
+    const Cell mean = load_cell(prescribed.mean);
     for (int n = 0; n < count; ++n) {
-        if (!(squares[n] > given.still_squared))
+        if (!(squares[n] > prescribed.still_squared))
             continue;
-        const float weight = given.gusts_squared / (given.gusts_squared + squares[n]);
+        const float weight = prescribed.gusts_squared / (prescribed.gusts_squared + squares[n]);
         const Cell end = load_cell(next + 4 * n);
         const Cell departed = load_cell(at_departure + 4 * n) + splat(departure_bends[n]) * mean;
         const Cell own = load_cell(at_own + 4 * n) + splat(own_bends[n]) * mean;
@@ -363,7 +363,7 @@ void advect_plane(const AdvectTask& task, int plane) {
                      const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
                                           task.result + 4 * soon(task, run.first)};
                      sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
-                     if (task.given.now != nullptr)
-                         carry_given<Interpolant>(task, strides, run, displacements, points);
+                     if (task.prescribed.now != nullptr)
+                         carry_prescribed<Interpolant>(task, strides, run, displacements, points);
                  });
 }

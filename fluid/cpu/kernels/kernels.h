@@ -61,7 +61,7 @@ struct Legal {
 };
 
 /// The prescribed background wind A, for the term v . grad A of the perturbation v. Fields of four floats a padded cell.
-struct GivenWind {
+struct PrescribedWind {
     const float* now;         ///< at the step's start; null: none
     const float* next;        ///< at its end
     const float* source_flow; ///< part of the perturbation, four floats a cell; null: none
@@ -83,7 +83,7 @@ struct AdvectTask {
     /// By row: cell size over its thickness, which makes rows of what moves along y. Null: 1. The padded trace holds it already.
     const float* row_scales;
     Legal legal;
-    GivenWind given;
+    PrescribedWind prescribed;
     bool clamped; ///< scalars only
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """film_test.py PROGRAM MAKE_FILM: a film of two small shots that is killed and goes on, both shots at a time, has the bytes of one
-drawn shot by shot.
+drawn shot by shot. The film of a page (tools/webp_film.py) is decoded and compared with its pictures.
 
 PROGRAM is windrow-draw, MAKE_FILM tools/make_film.py. With ffmpeg the shots are cut together, too.
 """
@@ -75,7 +75,12 @@ class Film(unittest.TestCase):
         self.assertRegex(run.stdout, r"02_low: 3 frames\n", "a shot whose scene has changed is drawn anew")
         if shutil.which("ffmpeg"):
             self.assertIn("windrow.mp4: 0.5 s", run.stdout)  # 10 + 3 - 1 frames
-            self.assertGreater((self.folder / "cut" / "windrow.mp4").stat().st_size, 1000)
+            film = self.folder / "cut" / "windrow.mp4"
+            self.assertGreater(film.stat().st_size, 1000)
+            keys = subprocess.run(["ffprobe", "-v", "error", "-skip_frame", "nokey", "-show_entries", "frame=pts_time", "-of", "csv=p=0", film],
+                                  check=True, stdout=subprocess.PIPE, text=True).stdout.replace(",", "").split()
+            for cut in (9 / 24, 10 / 24):  # where the dissolve begins and ends
+                self.assertTrue(any(abs(float(key) - cut) < 0.02 for key in keys), f"no key frame at {cut:.3f} s of {keys}")
 
     def test_wrong_use_is_one_sentence(self):
         (self.folder / "long.json").write_text('{"small": {"fade": 0.5, "shots": [{"scene": "looks/low", "from": 2, "seconds": 1.5}]}}')
@@ -85,6 +90,81 @@ class Film(unittest.TestCase):
                 run = self.run_film("wrong", "--frames-only", *flags)
                 self.assertEqual(run.returncode, 2, run.stdout)
                 self.assertRegex(run.stdout, r"\Amake_film\.py: [^\n]+\n\Z")
+
+
+def python_with_pillow():
+    """Debian's, where the first in the PATH lacks Debian's modules."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import PIL.Image"], check=False, stderr=subprocess.DEVNULL).returncode == 0:
+            return python
+    raise RuntimeError("Pillow is not installed: Debian's python3-pil")
+
+
+# Run by a python that has Pillow: a slow dissolve of two smooth pictures, written as a page has it and with few key frames.
+DISSOLVE = """
+import pathlib, random, sys
+sys.path.insert(0, sys.argv[1])
+import webp_film
+from PIL import Image
+def clouds(seed, colour):
+    chance, picture = random.Random(seed), Image.new("RGB", (6, 4))
+    picture.putdata([tuple(level + chance.randrange(40) for level in colour) for _ in range(6 * 4)])
+    return picture.resize((192, 128), Image.Resampling.BICUBIC)
+first, last, folder, files = clouds(1, (60, 120, 40)), clouds(2, (150, 170, 210)), pathlib.Path(sys.argv[2]), []
+for number in range(30):
+    files.append(folder / f"{number:02d}.png")
+    Image.blend(first, last, min(max((number - 1) / 28, 0), 1)).save(files[-1])
+print("key frames alone:", *webp_film.write(files, folder / "page.webp", 12, most=12_000, best=75))
+try:
+    webp_film.write(files, folder / "bad.webp", 12, most=12_000, best=75, farthest_key=1000)
+    print("few key frames: no fault")
+except webp_film.Fault as fault:
+    print("few key frames:", fault)
+"""
+
+
+class FilmOfAPage(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.python = python_with_pillow()
+
+    def tool(self, *arguments):
+        return subprocess.run([self.python, "-B", str(MAKE_FILM.with_name("webp_film.py")), *map(str, arguments)], check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def test_a_slow_dissolve_keeps_to_its_pictures(self):
+        run = subprocess.run([self.python, "-B", "-c", DISSOLVE, str(MAKE_FILM.parent), str(self.folder)], check=False,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertRegex(run.stdout, r"key frames alone: \d+ [0-2]\.\d")
+        self.assertRegex(run.stdout, r"few key frames: \S+ differs from \S+ by .* levels in the mean")
+        self.assertFalse((self.folder / "bad.webp").exists())
+        pictures = sorted(self.folder.glob("*.png"))
+        self.assertEqual(self.tool(self.folder / "page.webp", *pictures, "--check").returncode, 0)
+        for wrong in (pictures[:-1], list(reversed(pictures))):
+            run = self.tool(self.folder / "page.webp", *wrong, "--check")
+            self.assertEqual(run.returncode, 2, run.stdout)
+            self.assertRegex(run.stdout, r"\Awebp_film\.py: [^\n]+\n\Z")
+
+    def test_the_pages_films_have_key_frames_alone(self):
+        """Each frame of docs/*.webp covers the canvas and shows nothing of the frame before."""
+        films = sorted((MAKE_FILM.parents[1] / "docs").glob("*.webp"))
+        self.assertGreaterEqual(len(films), 2)
+        for film in films:
+            data, at, frames = film.read_bytes(), 12, 0
+            while at < len(data):
+                kind, size = data[at:at + 4], int.from_bytes(data[at + 4:at + 8], "little")
+                body = data[at + 8:at + 8 + size]
+                if kind == b"VP8X":
+                    canvas = body[4:10]
+                elif kind == b"ANMF":
+                    frames += 1
+                    self.assertEqual((body[0:6], body[6:12]), (bytes(6), canvas), f"{film.name}, frame {frames}: a part of the picture")
+                    self.assertTrue(body[15] & 2, f"{film.name}, frame {frames}: blended with the frame before")
+                at += 8 + size + size % 2
+            self.assertGreater(frames, 10, film.name)
 
 
 if __name__ == "__main__":

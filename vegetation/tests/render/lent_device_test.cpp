@@ -1,6 +1,6 @@
 // A renderer on a host's own device: it draws in the host's command buffer, and what fails is an error, not the program's end.
 #include "tests/parity/gpu.h"
-#include "vegetation/render/blades.h"
+#include "vegetation/render/grass_layer.h"
 #include "vegetation/render/renderer.h"
 #include "vegetation/render/wind_arrows.h"
 
@@ -73,18 +73,23 @@ TEST_F(LentDevice, WithoutMemoryGivesAnErrorAtEachStep) {
         --held;
     };
     const Scene scene = small_scene();
+    const auto mask = *grass::PlacementMask::create({2, 2}, scene.ground.heights.extent(), 1.0f);
+    const GrassLayerSettings meadow{.field = {.chunk_cells = 8, .max_chunks = 1}, .max_blades = 1024};
     bool whole = false;
     int failed = 0;
-    for (int granted = 0; !whole && granted < 100; granted += 3) {
+    for (int granted = 0; !whole && granted < 200; granted += 3) {
         left = granted;
         const auto lent = engine::Device::adopt(host, own->queue());
         ASSERT_TRUE(lent) << lent.error();
         const auto renderer = Renderer::create(**lent, scene, settings);
         if (renderer) {
             const DrawTargets targets = (*renderer)->draw_targets();
-            const auto blades = BladeGrid::create(**lent, targets, scene.plants, scene.look, std::array{BladePlace{}});
+            const auto grown = GrassLayer::create(**lent, targets, scene.ground, mask, meadow);
+            if (!grown) {
+                EXPECT_NE(grown.error().find("VK_ERROR_OUT_OF_DEVICE_MEMORY"), std::string::npos) << grown.error();
+            }
             const auto arrows = WindArrows::create(**lent, targets, {});
-            whole = blades && arrows;
+            whole = grown && arrows;
         } else {
             EXPECT_NE(renderer.error().find("VK_ERROR_OUT_OF_DEVICE_MEMORY"), std::string::npos) << renderer.error();
             ++failed;

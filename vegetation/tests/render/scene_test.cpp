@@ -1,6 +1,5 @@
 // What a scene rejects, where its ground lies, and shadows that stand still.
 #include "tests/figure.h"
-#include "vegetation/render/blades.h"
 #include "vegetation/render/frame_block.h"
 #include "vegetation/render/renderer.h"
 
@@ -126,25 +125,6 @@ TEST(Shadow, TheMapHoldsTheWholeSlice) {
                 worst = std::max({worst, static_cast<double>(std::abs(clip.x)), static_cast<double>(std::abs(clip.y))});
             }
     WINDROW_EXPECT_FIGURE("render/shadow/slice", worst, 1.0 + 2.0 / 1024.0); // the map lies within a texel of the slice's ball
-}
-
-TEST(Scatter, TheSameArgumentsGiveTheSamePlacesOnTheGroundWithinTheFan) {
-    const Ground ground;
-    const BladeFan fan{.eye = {1.0, 1.5, 2.0}, .target = {1.0, 1.0, -8.0}, .count = 5000};
-    const auto once = scatter(fan, ground, {0.0, 0.0, 0.0}), again = scatter(fan, ground, {0.0, 0.0, 0.0});
-    ASSERT_TRUE(once) << once.error();
-    ASSERT_EQ(once->size(), 5000u);
-    for (std::size_t n = 0; n < once->size(); ++n) {
-        const BladePlace& place = (*once)[n];
-        EXPECT_EQ(place.root, (*again)[n].root);
-        EXPECT_EQ(place.root.y, 0.0f);
-        const double distance =
-            glm::length(glm::dvec2(static_cast<double>(place.root.x) - 1.0, static_cast<double>(place.root.z) - 2.0));
-        EXPECT_GE(distance, 0.999 * static_cast<double>(fan.near));
-        EXPECT_LE(distance, 1.001 * static_cast<double>(fan.far));
-    }
-    EXPECT_FALSE(scatter({.eye = {0.0, 1.0, 0.0}, .target = {0.0, 1.0, -1.0}, .count = 0}, ground, {}));
-    EXPECT_FALSE(scatter({.eye = {0.0, 1.0, 0.0}, .target = {0.0, 1.0, -1.0}, .exponent = 2.0f}, ground, {}));
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 bool is_sheltered(ivec3 cell) { return has_rooms() && record_is(solid_record(cell), WINDROW_SHELTERED); }
 
 // [m/s] Prescribed background wind of a cell, `elapsed` [s] after the start of the tick.
-vec3 given_part(ivec3 cell, int at, float elapsed) {
+vec3 prescribed_part(ivec3 cell, int at, float elapsed) {
     vec3 u = vec3(0.0f);
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
