@@ -28,10 +28,7 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
         return Error{wind.error()};
     FlowWind made;
     made.wind_ = *std::move(wind);
-    if (Wind* const own = made.wind_->on_cpu()) {
-        made.other_solve_ = std::make_unique<reference::OtherSolve>(*own);
-        made.set_method(settings.method);
-    }
+    made.set_method(settings.method);
     made.motion_ = flow.motion;
     for (const Motor& motor : flow.motors) {
         const auto added = made.wind_->motors().add(motor);
@@ -53,7 +50,10 @@ void FlowWind::set_method(const Method& method) {
     Config& config = wind->state().core.config;
     config.scheme = method.scheme;
     config.interpolation = method.interpolation;
-    other_solve_->exchange(*wind, method.pressure);
+    if (!other_solve_ && method.pressure != Pressure::direct)
+        other_solve_ = std::make_unique<reference::OtherSolve>(*wind);
+    if (other_solve_)
+        other_solve_->exchange(*wind, method.pressure);
 }
 
 void FlowWind::begin() {

@@ -34,7 +34,7 @@ class FlowWind {
   private:
     FlowWind() = default;
 
-    std::unique_ptr<reference::OtherSolve> other_solve_; ///< on the CPU; before the wind, which refers to it
+    std::unique_ptr<reference::OtherSolve> other_solve_; ///< from the first other one on; before the wind, which refers to it
     std::unique_ptr<BackendWind> wind_;
     std::vector<glm::vec4> start_;
     std::function<glm::dvec3(double t)> motion_;

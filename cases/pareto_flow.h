@@ -32,7 +32,7 @@ struct ParetoFlow {
     std::function<glm::dvec3(glm::dvec3 x)> exact{};
     glm::ivec3 reference{0};
 
-    /// What only a Wind computes, which has one pressure solve.
+    /// A profile, gusts or a motor that moves: compared by the direct solve alone.
     [[nodiscard]] bool needs_wind() const { return profile || gusts.intensity > 0.0f || motion; }
 };
 

@@ -87,7 +87,7 @@ struct SlotFields {
     static constexpr std::size_t k_min_bytes = 5; ///< of a slot
 
     /// The slots, each by write_slot(slot). False where they cannot be read.
-    static bool slots(auto& archive, auto& list, const char* too_many, const auto& write_slot) {
+    static bool require_slots(auto& archive, auto& list, const char* too_many, const auto& write_slot) {
         std::uint32_t size = list.size();
         archive(size);
         if constexpr (detail::Reading<decltype(archive)>) {
@@ -101,8 +101,8 @@ struct SlotFields {
         return true;
     }
 
-    /// Which of them are free, after `slots`. False where they cannot be read.
-    static bool free(auto& archive, auto& list, const char* no_match) {
+    /// Which of them are free, after `require_slots`. False where they cannot be read.
+    static bool require_free(auto& archive, auto& list, const char* no_match) {
         if constexpr (detail::Reading<decltype(archive)>) {
             const auto used = std::count_if(list.slots_.begin(), list.slots_.end(), [](const auto& slot) { return slot.used; });
             list.count_ = static_cast<int>(used);
@@ -162,8 +162,8 @@ struct ObstacleFields {
         auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, visited, log] =
             obstacles;
         auto in_motion = static_cast<std::uint32_t>(motions.size());
-        if (!SlotFields::slots(archive, list, "it has more obstacles than fit.",
-                               [&](auto& slot) { ObstacleFields::slot(archive, slot); }))
+        if (!SlotFields::require_slots(archive, list, "it has more obstacles than fit.",
+                                       [&](auto& slot) { ObstacleFields::slot(archive, slot); }))
             return;
         archive(in_motion);
         if constexpr (detail::Reading<decltype(archive)>) {
@@ -174,7 +174,7 @@ struct ObstacleFields {
         }
         for (auto& motion : motions)
             ObstacleFields::motion(archive, motion);
-        if (!SlotFields::free(archive, list, "its list of free obstacles does not match its obstacles."))
+        if (!SlotFields::require_free(archive, list, "its list of free obstacles does not match its obstacles."))
             return;
         archive(ticked, window.origin_cells, stirred);
         if constexpr (detail::Reading<decltype(archive)>)

@@ -44,7 +44,7 @@ struct SlotWords {
 /// `another`: the handle is another list's.
 [[nodiscard]] WINDROW_INTERNAL Error no_entry(const SlotWords& words, std::uint32_t slot, std::uint32_t generation, bool another);
 
-/// A Slot has `generation`, `used` and `named_here`. Nothing here but make_room allocates.
+/// A Slot has `generation`, `used` and `named_here`. Only make_room, and the sentence of an error, allocate.
 template <class Slot, class List>
 class SlotList {
   public:

@@ -125,9 +125,9 @@ struct StateFields {
 
     static void motors(auto& archive, Like<Motors> auto& motors) {
         auto& [list, reach, tile, log] = motors;
-        if (!SlotFields::slots(archive, list, "it has more motors than fit.",
-                               [&](auto& slot) { StateFields::slot(archive, slot); }) ||
-            !SlotFields::free(archive, list, "its list of free motors does not match its motors."))
+        if (!SlotFields::require_slots(archive, list, "it has more motors than fit.",
+                                       [&](auto& slot) { StateFields::slot(archive, slot); }) ||
+            !SlotFields::require_free(archive, list, "its list of free motors does not match its motors."))
             return;
         if constexpr (Reading<decltype(archive)>) {
             motors.reserve_reach(nullptr);

@@ -177,7 +177,8 @@ Result<void> WindCore::set_floor(double height) {
     if (!floor.solid())
         return Error{"set_floor needs a solid low y side: set boundaries.y_low to free_slip or no_slip, or use follow."};
     if (!k_world_range.holds(height) || !detail::can_hold_point(config, {0.0, height, 0.0}))
-        return Error{detail::message("floor height is ", height, " m: give a finite number within 1e12 cells of the origin.")};
+        return Error{
+            detail::message("floor height is ", height, " m: give a finite number within 1e12 m and 1e12 cells of the origin.")};
     if (!has_room({.gusts = &config.gusts}))
         return detail::out_of_memory();
     CellIndex origin = place.window.origin_cells;

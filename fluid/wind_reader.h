@@ -47,8 +47,8 @@ class WINDROW_API WindReader {
     [[nodiscard]] virtual FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const = 0;
 
     /// 1 for each cell whose centre is inside an obstacle, else 0; box().cell_count() values or the call is rejected. Of the last
-    /// step; of now where the last step placed none, and on a device, in the box of `view`. A plate has no inside. Where set_floor
-    /// has moved a box with rows of its own, 0 until the next step.
+    /// step; of now where the last step placed none, and on a device (see there). A plate has no inside. Where set_floor has moved a
+    /// box with rows of its own, 0 until the next step.
     virtual Result<void> write_obstacles(std::span<float> cells) const = 0;
     /// [m^2/s^2] Pressure over the air's density (1.2 kg/m^3) at the end of the last step, relative to that outside of the box, or
     /// to its mean where no boundary is open; box().cell_count() values or the call is rejected. 0 in still air, before the first

@@ -19,6 +19,7 @@ import argparse
 import concurrent.futures
 import copy
 import hashlib
+import importlib.util
 import json
 import os
 import pathlib
@@ -193,13 +194,13 @@ def cut(shots, fade, options):
     film = options.out / "windrow.mp4"
     inputs, chain, shown, cuts = inputs_and_filter(shots, fade, options.fps, "format=yuv420p")
     ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]", "-c:v", "libx264", "-crf", "18", "-force_key_frames",
-            ",".join(f"{cut:.6f}" for cut in cuts) or "0", "-movflags", "+faststart"], film)
+            ",".join(f"{max(cut - 0.25 / options.fps, 0.0):.6f}" for cut in cuts) or "0", "-movflags", "+faststart"], film)
     print(f"{film}: {shown:.1f} s, {film.stat().st_size / 1e6:.1f} MB")
     if options.webp is None:
         return
     page = options.out / "page"
     shutil.rmtree(page, ignore_errors=True)
-    page.mkdir()
+    page.mkdir(exist_ok=True)
     inputs, chain, _, _ = inputs_and_filter(shots, fade, options.fps, "fps=12,scale=400:-1:flags=area")
     ffmpeg([*inputs, "-filter_complex", chain, "-map", "[film]"], page / "frame_%04d.png")
     command = ["-B", pathlib.Path(__file__).with_name("webp_film.py"), options.webp, *sorted(page.glob("frame_*.png"))]
@@ -246,6 +247,13 @@ def options_of(arguments):
         raise Fault(f"--fps is {options.fps}; give 1 to 240.")
     if not 1 <= options.jobs <= 64:
         raise Fault(f"--jobs is {options.jobs}; give 1 to 64.")
+    if options.webp is not None:
+        if options.frames_only:
+            raise Fault("--webp is cut from all shots; leave --frames-only out.")
+        if not options.webp.absolute().parent.is_dir():
+            raise Fault(f"--webp is {options.webp}, in no folder; make that first.")
+        if importlib.util.find_spec("PIL") is None:
+            raise Fault("--webp needs Pillow; install Debian's package python3-pil and use /usr/bin/python3.")
     if not options.frames_only and shutil.which("ffmpeg") is None:
         raise Fault("ffmpeg is not installed; install Debian's package ffmpeg, or draw alone by --frames-only.")
     return options

@@ -11,6 +11,7 @@ Needs Pillow (Debian: python3-pil).
 import argparse
 import os
 import pathlib
+import signal
 import sys
 
 MOST = 4_000_000  # [bytes] what a page can bear
@@ -87,19 +88,29 @@ def write(pictures, file, fps, most=MOST, best=95, farthest_key=1):
     for name in pictures:
         with image.open(name) as picture:
             frames.append(picture.convert("RGB"))
+        if frames[-1].size != frames[0].size:
+            raise Fault(f"{name} has {frames[-1].size} pixels, {pictures[0]} {frames[0].size}; give pictures of one size.")
+    if all(frame.tobytes() == frames[0].tobytes() for frame in frames):
+        raise Fault(f"{pictures[0]} and what follows are one picture; give two that differ.")
     part = file.with_name("part_" + file.name)
     durations = [begin_ms(n + 1, fps) - begin_ms(n, fps) for n in range(len(frames))]
     try:
-        for quality in range(best, 0, -2):
+        def size_at(quality):
             frames[0].save(part, format="WEBP", save_all=True, append_images=frames[1:], duration=durations, loop=0, quality=quality,
                            method=6, kmin=0 if farthest_key == 1 else farthest_key - 1, kmax=farthest_key)
-            if part.stat().st_size <= most:
-                found = check(part, pictures, fps)
-                os.replace(part, file)
-                return quality, *found
+            return part.stat().st_size
+        fits, above = (best, best + 1) if size_at(best) <= most else (0, best)
+        while above - fits > 1:
+            between = (fits + above) // 2
+            fits, above = (between, above) if size_at(between) <= most else (fits, between)
+        if fits == 0:
+            raise Fault(f"{file} is above {most} bytes at the least quality; give fewer or smaller pictures.")
+        size_at(fits)
+        found = check(part, pictures, fps)
+        os.replace(part, file)
+        return fits, *found
     finally:
         part.unlink(missing_ok=True)
-    raise Fault(f"{file} is above {most} bytes at the least quality; give fewer or smaller pictures.")
 
 
 def main():
@@ -124,8 +135,11 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # what is half written goes
     try:
         main()
-    except Fault as fault:
+    except (Fault, OSError) as fault:
         print(f"webp_film.py: {fault}", file=sys.stderr)
         sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(1)

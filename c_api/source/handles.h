@@ -81,7 +81,7 @@ struct WindOf final : windrow_wind {
     Air air;
 };
 
-/// The host's logger is told what is wrong with a step or a recording, if anything.
+/// Warns the host's logger of what is wrong with a step or a recording, if anything.
 void warn_of(windrow_wind& wind, const Diagnostics& report);
 
 /// The ids of C are those of C++.

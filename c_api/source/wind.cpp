@@ -13,6 +13,8 @@ using namespace windrow;
 using namespace windrow::c_api;
 
 void windrow::c_api::warn_of(windrow_wind& wind, const Diagnostics& report) {
+    if (!report.stepped)
+        return;
     if (report.repaired_cells > 0) [[unlikely]]
         warn("cells that were not finite were set to the ambient wind: look for a velocity that the host set.");
     if (report.motors_lost > wind.motors_lost) [[unlikely]]

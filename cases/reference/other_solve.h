@@ -23,7 +23,8 @@ class OtherSolve {
     OtherSolve(const OtherSolve&) = delete;
     OtherSolve& operator=(const OtherSolve&) = delete;
 
-    /// From the next step on. This outlives the wind, which is that of the constructor.
+    /// From the next step on, of the wind of the constructor. This outlives its last step. Wind::write_pressure knows only the direct
+    /// solve.
     void exchange(Wind& wind, Pressure pressure);
 
   private:

@@ -46,15 +46,15 @@ class Acting {
             history[n] -= inverse * glm::vec4(push + (numerics::windrow_held_departing(u, hold) - u), 0.0f);
         });
     }
-    /// Restores the history and applies the half at arrival. `wind(n, cell)`: prescribed background wind [m/s] at arrival.
-    template <class Wind>
-    void arrive(const Wind& wind, float scale, std::span<glm::vec4> history, std::span<glm::vec4> arrived) const {
+    /// Restores the history and applies the half at arrival. `prescribed(n, cell)`: all that is [m/s], at arrival.
+    template <class Prescribed>
+    void arrive(const Prescribed& prescribed, float scale, std::span<glm::vec4> history, std::span<glm::vec4> arrived) const {
         const std::span<const glm::vec4> kept = sources_.kept();
         for_each_cell([&](std::size_t n, glm::ivec3 cell, glm::vec3 push, const numerics::WindrowHold& hold) {
             history[n] = kept[n];
             glm::vec3 u = glm::vec3(arrived[n]) + push;
             if (hold.drives.w > 0.0f || hold.way > 0.0f) {
-                const glm::vec3 rest = wind(n, cell);
+                const glm::vec3 rest = prescribed(n, cell);
                 u = numerics::windrow_held_arriving(u + rest, scale * glm::vec3(history[n]), hold) - rest;
             }
             arrived[n] = glm::vec4(u, 0.0f);

@@ -239,8 +239,8 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     const auto link = [&](glm::ivec3 cell, int axis, int end) {
         return axis == 1 && box.rows ? box.row_scale(cell.y) * box.rows->links()[static_cast<std::size_t>(cell.y + end)] : 1.0f;
     };
-    assert(other_solve == nullptr || (expansion.empty() && beyond == nullptr && !has_solids()));
-    if (other_solve != nullptr)
+    const bool exchanged = other_solve != nullptr && expansion.empty() && beyond == nullptr && !has_solids();
+    if (exchanged)
         divergence_to(other_solve->rhs, other_solve->pitch, cpu::floats(velocity), 0.5f);
     else
         divergence_to_potential(cpu::floats(velocity), 0.5f);
@@ -253,7 +253,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
         });
     SolidSolve alone{.solves = k_most_solves, .tolerance = k_operator_tolerance};
     cpu::Potential solved{potential.data(), pressure.pitch()};
-    if (other_solve != nullptr)
+    if (exchanged)
         solved = other_solve->solve();
     else if (has_solids())
         solve_around(velocity, around != nullptr ? *around : alone, note);

@@ -113,7 +113,7 @@ struct WINDROW_HIDDEN Workspace::State {
         float residual = 0.0f;            ///< result: |div w - A phi| over |div w| of the surface cells
         int solved = 0;                   ///< result
     };
-    /// In place of the direct solve; null: none. Without obstacles and volume sources.
+    /// In place of the direct solve; null: none. Beside obstacles and for volume sources the direct solve stays.
     const cpu::PressureSolve* other_solve = nullptr;
     /// As project() in operators.h, with phi / h from `beyond` beyond open boundaries; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,

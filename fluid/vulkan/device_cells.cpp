@@ -176,7 +176,7 @@ void DeviceCells::continue_from(RestoredAir&& restored) {
     queue_.clear();
     queue_.make_room();
     loaded_tick_ = wind_.speed.tick();
-    rest = {.tick = loaded_tick_};
+    rest = {.tick = loaded_tick_, .disturbed_tick = loaded_tick_}; // a pause reads nothing of this air back
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

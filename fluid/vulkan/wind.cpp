@@ -289,7 +289,9 @@ Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
 
 Result<void> Wind::write_obstacles(std::span<float> cells) const {
     const RecordedFrame* const read = state_->read_backs.frame();
-    const bool whole = read != nullptr && read->frame.window.cells == box().cells;
+    const ReadBack kind = state_->settings.queries;
+    const bool has_cells = kind == ReadBack::cells || kind == ReadBack::box || kind == ReadBack::halves;
+    const bool whole = has_cells && read != nullptr && read->frame.window.cells == box().cells;
     return state_->core.write_obstacles(cells, whole ? read->frame.window : state_->core.window());
 }
 

@@ -175,7 +175,8 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first Settings::forces in the
     /// box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose Settings::forces is 0.
     [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const override;
-    /// Obstacles where they are now, in the box that was read back last; the host rasterises them for this call.
+    /// Obstacles where they are now, which the host rasterises for this call: in the box of `queried`, where all of its cells are
+    /// read back; else in that of `origin`.
     Result<void> write_obstacles(std::span<float> cells) const override;
     /// Rejected: a device hands out no pressure.
     Result<void> write_pressure(std::span<float> cells) override;

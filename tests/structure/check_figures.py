@@ -9,8 +9,8 @@ A comment behind a paragraph, an item or in a table's row names what holds the n
     <!-- none: measured once on an H200 -->                 no test can hold it; behind a table it is for all rows
 
 `<= B` and `>= B` are bounds: the test's source must hold the figure to B. `= V`, `< V`, `> V` are what a run measured: V, at most V,
-at least V, each within a fifth; of V below 1e-5, within ten times. With --run they are compared with the lines `[figure] name value bound` of a run, which ./dev test
-keeps in build/release/figures.txt. `*` in a name is anything; a bound is then that of one of them at least, `= V` the largest. Each
+at least V, each within a fifth; `< V` of a V below 1e-5 within ten times, since rounding differs by processor. With --run they are
+compared with the lines `[figure] name value bound` of a run, which ./dev test keeps in build/release/figures.txt. `*` in a name is anything; a bound is then that of one of them at least, `= V` the largest. Each
 number must be read in that paragraph or row, as such, as a percentage, or as the words after `as`. A fault is also a bound, or a
 number such as 2e-7, without such a comment; `Suite.Test` or `Suite*` in a page that no test has; a row of docs/systems.md that
 names nothing that shows it.
@@ -82,7 +82,6 @@ def off(sign, value, text):
     stated = quantity(text)
     digits = re.sub(r"e.*", "", text).partition(".")[2]
     unit = 10.0 ** (int((re.search(r"e([+-]?\d+)", text) or [0, "0"])[1]) - len(digits)) # of the last digit that is printed
-    # Below 1e-5 it is rounding, which another processor does otherwise.
     slack = 9.0 * abs(stated) if sign == "<" and abs(stated) < 1e-5 else 0.2 * abs(stated)
     apart = (value - stated) / max(slack, unit)
     return abs(apart) > 1.0 if sign == "=" else apart > 1.0 if sign == "<" else apart < -1.0

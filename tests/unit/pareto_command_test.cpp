@@ -240,7 +240,7 @@ TEST_F(ParetoCommand, ABrokenFlowIsTold) {
     EXPECT_EQ(rows.back()[8], "") << "no order between what is not finite";
 }
 
-// Gusts, a profile and a motor that moves: winds alone run it, so there is one pressure solve.
+// Gusts, a profile and a motor that moves: by the direct solve alone.
 TEST_F(ParetoCommand, AGustyFlowIsRunByWinds) {
     ParetoRequest request = small("gusty");
     request.flows = {pareto_flows(false).back()};

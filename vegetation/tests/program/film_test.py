@@ -143,10 +143,15 @@ class FilmOfAPage(unittest.TestCase):
         self.assertFalse((self.folder / "bad.webp").exists())
         pictures = sorted(self.folder.glob("*.png"))
         self.assertEqual(self.tool(self.folder / "page.webp", *pictures, "--check").returncode, 0)
-        for wrong in (pictures[:-1], list(reversed(pictures))):
-            run = self.tool(self.folder / "page.webp", *wrong, "--check")
+        text = self.folder / "no_picture.png"
+        text.write_text("none")
+        for wrong in ((self.folder / "page.webp", *pictures[:-1], "--check"), (self.folder / "page.webp", *reversed(pictures), "--check"),
+                      (self.folder / "page.webp", text, "--check"), (self.folder / "none" / "a.webp", *pictures[:2]),
+                      (self.folder / "a.webp", pictures[0])):
+            run = self.tool(*wrong)
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertRegex(run.stdout, r"\Awebp_film\.py: [^\n]+\n\Z")
+        self.assertEqual([file.name for file in self.folder.glob("*.webp")], ["page.webp"])
 
     def test_the_pages_films_have_key_frames_alone(self):
         """Each frame of docs/*.webp covers the canvas and shows nothing of the frame before."""
@@ -165,6 +170,7 @@ class FilmOfAPage(unittest.TestCase):
                     self.assertTrue(body[15] & 2, f"{film.name}, frame {frames}: blended with the frame before")
                 at += 8 + size + size % 2
             self.assertGreater(frames, 10, film.name)
+            self.assertLessEqual(len(data), 4_000_000, film.name)
 
 
 if __name__ == "__main__":
