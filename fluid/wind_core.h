@@ -68,7 +68,7 @@ class WINDROW_INTERNAL WindCore {
     Result<void> set_floor(double height);
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at);
     Result<void> set_velocity(std::span<const glm::vec4> field);
-    /// By their places now, in a box that lies at `in`.
+    /// As they stand now, in a box at `in`.
     Result<void> write_obstacles(std::span<float> cells, const Window& in) const;
     void reset();
     void record_to(EventLog* to);
