@@ -210,7 +210,7 @@ TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
 TEST_F(WindSaves, APauseAfterLoadKeepsTheSpeeds) {
     auto cpu = windrow::Wind::create({.cells = {14, 10, 12}, .cell_size = 0.5f});
     ASSERT_TRUE(cpu);
-    cpu->set_velocity([](glm::dvec3 p) { return glm::vec3(glm::length(p) < 2.0 ? 60.0f : 0.0f, 0.0f, 0.0f); });
+    cpu->set_velocity([](glm::dvec3 p) { return glm::vec3(glm::length(p) < 2.0 ? 200.0f : 0.0f, 0.0f, 0.0f); });
     const auto ball = cpu->obstacles().add({.position = {-1.0, 0.0, 2.0}, .shape = Sphere{0.7f}});
     ASSERT_TRUE(ball);
     const auto move = [&](auto& wind, int n) {
