@@ -235,6 +235,23 @@ TEST_F(WindSaves, APauseAfterLoadKeepsTheSpeeds) {
     EXPECT_GT(most, 1);
 }
 
+// Nothing acts on this air, but it moves: a pause after loading measures nothing, which is not the same as rest.
+TEST_F(WindSaves, APauseAfterLoadPutsNoAirToSleep) {
+    auto cpu = windrow::Wind::create({.cells = {14, 10, 12}, .cell_size = 0.5f});
+    ASSERT_TRUE(cpu);
+    cpu->set_velocity([](glm::dvec3 p) { return glm::vec3(glm::length(p) < 2.0 ? 5.0f : 0.0f, 0.0f, 0.0f); });
+    for (int n = 0; n < 4; ++n)
+        (void)cpu->step(1.0 / 60.0);
+    Wind loaded = load(*cpu->save()); // before the wind is moved from
+    TwoWinds pair = twins(*std::move(cpu), std::move(loaded));
+    record(pair.device, 0.0, false);
+    for (int n = 0; n < 6; ++n) {
+        step(pair, 1.0 / 60.0);
+        ASSERT_FALSE(pair.device_sleeps) << "step " << n;
+    }
+    report("paused_after_load", pair, 1e-5);
+}
+
 // What is read back and the cells in obstacles are of one place, also after a change that waits for the next recording.
 TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
     auto wind = Wind::create(own->host(), {.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 0.0f}}, k_settings);

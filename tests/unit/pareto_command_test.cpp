@@ -169,6 +169,30 @@ TEST(ParetoFlows, AReferenceIsReadWhereItLies) {
     EXPECT_FALSE(*FlowTruth::find(flow, Simd::best, {}, [] { return true; }));
 }
 
+// `windrow pareto` measures all methods with one wind: what it ran before leaves no trace.
+TEST(ParetoFlows, AMethodAfterOthersIsThatOfAFreshWind) {
+    const ParetoFlow flow = small_flows().front();
+    ASSERT_TRUE(flow.start && flow.motors.empty());
+    const auto end_of = [&](FlowWind& wind) {
+        for (int n = 0; n < 3; ++n)
+            wind.step(flow.end / steps_of(flow, {16, 1, 16}, 1.0));
+        return std::vector(wind.field().begin(), wind.field().end());
+    };
+    const std::vector<Method> methods = pareto_methods(Solves::all);
+    auto used = FlowWind::create(flow, {16, 1, 16}, {.method = methods.back()});
+    ASSERT_TRUE(used);
+    std::vector<glm::vec4> last = end_of(*used);
+    for (const Method& method : methods) {
+        used->set_method(method);
+        used->begin();
+        auto fresh = FlowWind::create(flow, {16, 1, 16}, {.method = method});
+        ASSERT_TRUE(fresh);
+        const std::vector<glm::vec4> expected = end_of(*fresh);
+        EXPECT_NE(std::exchange(last, expected), expected) << "no method before had this air";
+        EXPECT_EQ(end_of(*used), expected) << name_of(method);
+    }
+}
+
 // --- Results ---------------------------------------------------------------------------------------------------------
 
 TEST_F(ParetoCommand, FiguresAreToldAndKept) {
