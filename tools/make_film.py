@@ -250,7 +250,7 @@ def options_of(arguments):
     if options.webp is not None:
         if options.frames_only:
             raise Fault("--webp is cut from all shots; leave --frames-only out.")
-        if not options.webp.absolute().parent.is_dir():
+        if options.webp.absolute().parent != options.out.absolute() and not options.webp.absolute().parent.is_dir():
             raise Fault(f"--webp is {options.webp}, in no folder; make that first.")
         if importlib.util.find_spec("PIL") is None:
             raise Fault("--webp needs Pillow; install Debian's package python3-pil and use /usr/bin/python3.")

@@ -92,6 +92,16 @@ class Film(unittest.TestCase):
                 self.assertRegex(run.stdout, r"\Amake_film\.py: [^\n]+\n\Z")
 
 
+    def test_the_film_of_a_page_may_go_where_the_film_goes(self):
+        """As `./dev demo` asks for it, on a machine that has drawn nothing yet; the edit's fault is found after the flags'."""
+        (self.folder / "bad.json").write_text('{"small": {"fade": 0.5, "shots": [{"scene": "none", "from": 0, "seconds": 2}]}}')
+        for folder, fault in (("new", "none"), ("elsewhere", "in no folder")):
+            command = self.command("new", "--edit", self.folder / "bad.json", "--webp", self.folder / folder / "page.webp")
+            run = subprocess.run([python_with_pillow(), *command[1:]], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(run.returncode, 2, run.stdout)
+            self.assertEqual("in no folder" in run.stdout, fault == "in no folder", run.stdout)
+
+
 def python_with_pillow():
     """Debian's, where the first in the PATH lacks Debian's modules."""
     for python in (sys.executable, "/usr/bin/python3"):
