@@ -10,7 +10,7 @@
 #include "cases/cavity_tables.h"
 #include "cases/cubic_factor.h"
 #include "cases/whole_step.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <limits>

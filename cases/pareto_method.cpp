@@ -1,6 +1,6 @@
 #include "cases/pareto_method.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 namespace windrow::cases {
 

@@ -2,7 +2,7 @@
 // truth, but what makes the errors of the CPU's cases the device's too.
 #include "cases/parity_run.h"
 #include "cases/verify_case.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 

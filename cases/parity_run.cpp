@@ -1,6 +1,6 @@
 #include "cases/parity_run.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/wind.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cases/parity_story.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "cli/backend.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "cli/check/check_command.h"
 #include "cli/device_report/device_report_command.h"
 #endif
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/nearest_word.h"
 
 #include <CLI/CLI.hpp>

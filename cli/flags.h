@@ -4,7 +4,7 @@
 
 #include "cli/backend.h"
 #include "cli/console.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/simd.h"
 
 #include <CLI/CLI.hpp>

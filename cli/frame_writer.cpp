@@ -1,6 +1,6 @@
 #include "cli/frame_writer.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/number_text.h"
 #if WINDROW_WITH_VDB
 #include "cli/vdb_frames.h"

@@ -1,7 +1,7 @@
 #include "cli/info_command.h"
 
 #include "cli/backend.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/simd.h"
 #include "windrow_commit.h" // made by commit.cmake
 #if WINDROW_WITH_VDB

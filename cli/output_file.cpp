@@ -1,6 +1,6 @@
 #include "cli/output_file.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <cerrno>
 #include <fcntl.h>

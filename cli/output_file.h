@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/console.h"
-#include "fluid/new_file.h"
+#include "fluid/files/new_file.h"
 
 #include <filesystem>
 #include <string_view>
@@ -28,7 +28,7 @@ class OutputFolder {
     int lock_ = -1;
 };
 
-/// A text file that appears under its name when it is whole (fluid/new_file.h). Dropped, it leaves nothing.
+/// A text file that appears under its name when it is whole (fluid/files/new_file.h). Dropped, it leaves nothing.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path file, const char* flag = "--out");

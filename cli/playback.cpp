@@ -1,6 +1,6 @@
 #include "cli/playback.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 namespace windrow::cli {
 

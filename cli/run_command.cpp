@@ -8,7 +8,7 @@
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/timings.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/scene.h"
 #include "scene/scene_reader.h"
 #if WINDROW_WITH_IMAGES

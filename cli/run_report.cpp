@@ -2,7 +2,7 @@
 
 #include "cli/info_command.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "cli/table.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <charconv>
 

@@ -1,7 +1,7 @@
 #include "cli/timings.h"
 
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "coupling/blade.h"
 
 #include "coupling/blade_numerics.h"
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 namespace windrow {
 

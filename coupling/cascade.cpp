@@ -1,6 +1,6 @@
 #include "coupling/cascade.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "coupling/cascade_step.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/portable_math.h"
 
 #include <algorithm>

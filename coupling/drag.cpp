@@ -1,7 +1,7 @@
 #include "coupling/drag.h"
 
 #include "coupling/plant_numerics.h"
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "coupling/ground_config.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <cmath>
 

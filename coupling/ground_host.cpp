@@ -1,7 +1,7 @@
 #include "coupling/ground_host.h"
 
 #include "coupling/ground_fading.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/portable_math.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "coupling/ground_host.h"
 #include "coupling/ground_state.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <bit>

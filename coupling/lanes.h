@@ -6,7 +6,7 @@
 // stay at the baseline unless they are inlined; hence `flatten`.
 #pragma once
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <cstddef>

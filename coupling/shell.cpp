@@ -1,7 +1,7 @@
 #include "coupling/shell.h"
 
 #include "coupling/shell_numerics.h"
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <cmath>
 

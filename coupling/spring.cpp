@@ -1,7 +1,7 @@
 #include "coupling/spring.h"
 
+#include "fluid/core/validation.h"
 #include "fluid/portable_math.h"
-#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>

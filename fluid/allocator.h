@@ -16,10 +16,10 @@
 #include <vector>
 
 namespace windrow {
-namespace cpu {
+namespace detail {
 [[nodiscard]] WINDROW_API void* allocate_aligned(std::size_t bytes); // throws std::bad_alloc
 WINDROW_API void release_aligned(void* memory, std::size_t bytes);
-} // namespace cpu
+} // namespace detail
 
 /// Two functions of the host with their context. Any thread that makes or destroys objects calls them.
 struct Allocator {
@@ -45,8 +45,8 @@ struct HostMemory {
     template <class U>
     HostMemory(const HostMemory<U>&) {}
 
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(cpu::allocate_aligned(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t count) { cpu::release_aligned(memory, count * sizeof(T)); }
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(allocate_aligned(count * sizeof(T))); }
+    void deallocate(T* memory, std::size_t count) { release_aligned(memory, count * sizeof(T)); }
     friend bool operator==(const HostMemory&, const HostMemory&) { return true; }
 };
 template <class T>

@@ -1,6 +1,6 @@
 #include "fluid/boundaries.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 namespace windrow {
 namespace {

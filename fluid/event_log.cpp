@@ -1,8 +1,8 @@
 #include "fluid/event_log.h"
 
-#include "fluid/archive.h"
-#include "fluid/replay.h"
-#include "fluid/shapes/shape_record.h"
+#include "fluid/core/replay.h"
+#include "fluid/core/archive.h"
+#include "fluid/core/shape_record.h"
 #include "fluid/wind.h"
 
 namespace windrow {

@@ -15,8 +15,8 @@
 // turbulence near plane boundaries (images; here the mirror at the ground).
 #include "fluid/gust_tile.h"
 
-#include "fluid/ambient_numerics.h"
-#include "fluid/message.h"
+#include "fluid/core/ambient_numerics.h"
+#include "fluid/core/message.h"
 #include "fluid/portable_math.h"
 
 #include <algorithm>

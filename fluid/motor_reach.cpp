@@ -1,7 +1,7 @@
 #include "fluid/motor_reach.h"
 
+#include "fluid/core/numerics.h"
 #include "fluid/gust_tile.h"
-#include "fluid/numerics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "fluid/motors.h"
 
+#include "fluid/core/message.h"
 #include "fluid/event_log.h"
 #include "fluid/gust_tile.h"
-#include "fluid/message.h"
 
 #include <algorithm>
 #include <cmath>

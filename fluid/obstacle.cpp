@@ -1,9 +1,9 @@
 // Distances: exact for each shape. Based on: Hart 1996, "Sphere tracing", The Visual Computer 12 (the march along a segment).
 #include "fluid/obstacle.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/core/validation.h"
 #include "fluid/portable_math.h"
-#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>

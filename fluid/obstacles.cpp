@@ -1,7 +1,7 @@
 #include "fluid/obstacles.h"
 
+#include "fluid/core/message.h"
 #include "fluid/event_log.h"
-#include "fluid/message.h"
 #include "fluid/portable_math.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "fluid/rows.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/core/validation.h"
 #include "fluid/portable_math.h"
-#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>

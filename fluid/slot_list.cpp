@@ -1,6 +1,6 @@
 #include "fluid/slot_list.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <atomic>
 

@@ -1,6 +1,6 @@
 #include "fluid/tracer.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

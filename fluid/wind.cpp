@@ -1,6 +1,6 @@
+#include "fluid/core/message.h"
+#include "fluid/core/validation.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/message.h"
-#include "fluid/validation.h"
 #include "fluid/wind_state.h"
 
 #include <algorithm>
@@ -47,6 +47,14 @@ Result<Wind> Wind::create(const Config& config) {
             return Error{ambient.error()};
         return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
     });
+}
+
+Advance Wind::advance(double dt) {
+    return state_->core.advance(dt);
+}
+
+Diagnostics Wind::step(double dt) {
+    return state_->core.step(dt);
 }
 
 Result<ObstacleForce> Wind::force_on(ObstacleId id) const {

@@ -1,7 +1,7 @@
 // The calls of WindControl, each to the core of a wind, and those of WindReader that follow from its others.
 #include "fluid/wind_control.h"
 
-#include "fluid/wind_core.h"
+#include "fluid/core/wind_core.h"
 #include "fluid/wind_reader.h"
 
 #include <algorithm>

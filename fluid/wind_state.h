@@ -1,8 +1,8 @@
 // A Wind whose cells are on the CPU, for the files that implement it.
 #pragma once
 
+#include "fluid/core/wind_core.h"
 #include "fluid/cpu/cells.h"
-#include "fluid/wind_core.h"
 
 namespace windrow {
 

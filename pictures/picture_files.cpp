@@ -1,8 +1,8 @@
 #include "pictures/picture_files.h"
 
-#include "fluid/input_file.h"
-#include "fluid/message.h"
-#include "fluid/new_file.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
+#include "fluid/files/new_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>

@@ -1,6 +1,6 @@
 #include "pictures/sheet.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <array>

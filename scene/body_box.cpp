@@ -1,7 +1,7 @@
 #include "scene/body_box.h"
 
-#include "fluid/input_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 #include "scene/obj_text.h"
 #include "scene/scene_parts.h"
 #include "scene/setting_reader.h"

@@ -4,7 +4,7 @@
 // beast's to 2 %, a wing's to a quarter.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "fluid/result.h"
 #include "scene/json_object.h"
 #include "scene/mesh_load.h"

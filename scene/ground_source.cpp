@@ -1,7 +1,7 @@
 #include "scene/ground_source.h"
 
-#include "fluid/input_file.h"
-#include "fluid/pgm.h"
+#include "fluid/files/input_file.h"
+#include "fluid/files/pgm.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
 #include "scene/scene_parts.h"

@@ -1,6 +1,6 @@
 #include "scene/json_object.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "scene/json_document.h"
 #include "scene/nearest_word.h"
 

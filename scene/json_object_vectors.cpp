@@ -1,5 +1,5 @@
 // JsonObject readers of several numbers: vectors, pairs, flags of the axes.
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "scene/json_document.h"
 #include "scene/json_object.h"
 

@@ -1,6 +1,6 @@
 #include "scene/motion_path.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/number_text.h"
 #include "scene/text_file.h"
 

@@ -14,7 +14,7 @@
 // decimal sign is the point, whatever the locale.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "fluid/result.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Numbers from text and back, the same in every locale: a decimal comma in the user's settings must not change a scene.
 #pragma once
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Triangles of an OBJ file. Faces are cut by their ears: a corner whose neighbours see each other within the face.
 //
 // Based on: Meisters 1975, "Polygons have ears", The American Mathematical Monthly 82.
-#include "fluid/text_lines.h"
+#include "fluid/files/text_lines.h"
 #include "scene/obj_text.h"
 
 #include <charconv>

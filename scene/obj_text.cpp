@@ -1,7 +1,7 @@
 #include "scene/obj_text.h"
 
-#include "fluid/message.h"
-#include "fluid/text_lines.h"
+#include "fluid/core/message.h"
+#include "fluid/files/text_lines.h"
 
 #include <array>
 #include <charconv>

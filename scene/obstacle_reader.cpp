@@ -1,4 +1,4 @@
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/scene_parts.h"
 #include "scene/setting_reader.h"
 #include "scene/shape_files.h"

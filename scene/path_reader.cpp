@@ -1,5 +1,5 @@
-#include "fluid/input_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 #include "scene/json_document.h"
 #include "scene/motion_path.h"
 #include "scene/scene_parts.h"

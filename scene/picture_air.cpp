@@ -1,6 +1,6 @@
 #include "scene/picture_air.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/setting_reader.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "scene/read_log.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // What reading a scene leaves behind: every fault, not only the first, and, for who asks, every key that the reader knows.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "fluid/result.h"
 #include "fluid/setting.h"
 #include "fluid/shapes/height_map.h"

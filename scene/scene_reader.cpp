@@ -1,6 +1,6 @@
 #include "scene/scene_reader.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/json_document.h"
 #include "scene/nearest_word.h"
 #include "scene/picture_air.h"

@@ -1,7 +1,7 @@
 // Reads settings from JSON by their tables (fluid/setting.h): each keeps its default where the file says nothing.
 #pragma once
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "fluid/wind.h"
 #include "scene/json_object.h"
 #include "scene/motion_path.h"

@@ -2,7 +2,7 @@
 // `read_object` makes of it is the same settings again.
 #pragma once
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "scene/number_text.h"
 
 #include <cmath>

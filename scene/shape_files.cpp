@@ -1,8 +1,8 @@
 #include "scene/shape_files.h"
 
-#include "fluid/input_file.h"
-#include "fluid/message.h"
-#include "fluid/pgm.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
+#include "fluid/files/pgm.h"
 #include "scene/obj_text.h"
 #include "scene/scene_parts.h"
 #include "scene/vox_file.h"

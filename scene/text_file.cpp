@@ -1,6 +1,6 @@
 #include "scene/text_file.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 

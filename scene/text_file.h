@@ -1,7 +1,7 @@
 // A text file as a whole, or one sentence why not.
 #pragma once
 
-#include "fluid/input_file.h"
+#include "fluid/files/input_file.h"
 #include "fluid/result.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The schema of scene files and the tables of their keys in docs/, made from what the reader says of each key.
 #pragma once
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "scene/read_log.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "c_api/ambient.h"
 
 #include "c_api/source/tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <cmath>
 

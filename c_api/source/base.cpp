@@ -4,7 +4,7 @@
 #include "c_api/source/guard.h"
 #include "c_api/source/handles.h"
 #include "fluid/allocator.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <cstring>
 #include <string>

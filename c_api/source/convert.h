@@ -8,8 +8,8 @@
 #pragma once
 
 #include "c_api/source/guard.h"
+#include "fluid/core/validation.h"
 #include "fluid/setting.h"
-#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cstddef>

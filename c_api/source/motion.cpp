@@ -3,7 +3,7 @@
 
 #include "c_api/source/plant_tables.h"
 #include "coupling/cascade_step.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <array>
 #include <vector>

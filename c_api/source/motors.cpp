@@ -2,7 +2,7 @@
 #include "c_api/motors.h"
 
 #include "c_api/source/tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 using namespace windrow;
 using namespace windrow::c_api;

@@ -2,7 +2,7 @@
 #include "c_api/obstacles.h"
 
 #include "c_api/source/tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <string>
 #include <vector>

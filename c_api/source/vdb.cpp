@@ -2,7 +2,7 @@
 #include "c_api/vdb.h"
 
 #include "c_api/source/tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vdb/film_grid.h"
 #include "fluid/vdb/vdb_export.h"
 

@@ -2,7 +2,7 @@
 #include "c_api/wind.h"
 
 #include "c_api/source/tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <array>

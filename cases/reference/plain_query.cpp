@@ -1,7 +1,7 @@
 #include "cases/reference/plain_query.h"
 
-#include "fluid/ambient_numerics.h"
-#include "fluid/numerics.h"
+#include "fluid/core/ambient_numerics.h"
+#include "fluid/core/numerics.h"
 
 #include <algorithm>
 #include <bit>

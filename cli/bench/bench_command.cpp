@@ -8,7 +8,7 @@
 #include "cli/info_command.h"
 #include "cli/output_file.h"
 #include "fluid/box.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/thread_pool.h"
 #include "scene/number_text.h"
 

@@ -9,8 +9,8 @@
 #include "cli/bench/wind_contestant.h"
 #include "cli/info_command.h"
 #include "cli/table.h"
-#include "fluid/cpu/aligned.h"
-#include "fluid/message.h"
+#include "fluid/allocator.h"
+#include "fluid/core/message.h"
 #include "fluid/operators.h"
 #if WINDROW_CASES_FFTW
 #include "cases/reference/fftw_projection.h"
@@ -258,7 +258,7 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     }
 
     // In memory like the fields'.
-    cpu::Buffer<glm::vec4> original(flow.size()), copied(flow.size());
+    detail::HostVector<glm::vec4> original(flow.size()), copied(flow.size());
     std::copy(flow.begin(), flow.end(), original.data());
     const std::size_t copy = contest.add({.run = [&] { reference::copy_cells(cells, original, copied, loop); }});
 

@@ -2,7 +2,7 @@
 #include "cli/check/check_command.h"
 #include "cli/info_command.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <initializer_list>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // What a device charges for each command, and how fast it copies by the size of what it copies.
 #include "cli/device_report/copy_rounds.h"
 #include "cli/device_report/report_section.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <chrono>

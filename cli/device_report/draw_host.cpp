@@ -1,6 +1,6 @@
 #include "cli/device_report/draw_host.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/pipeline_state.h"
 
 #include <array>

@@ -2,7 +2,7 @@
 // them in files.
 #include "cli/device_report/report_section.h"
 #include "cli/info_command.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <fstream>

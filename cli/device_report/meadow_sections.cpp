@@ -3,7 +3,7 @@
 #include "cli/device_report/png.h"
 #include "cli/device_report/report_section.h"
 #include "cli/output_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <utility>

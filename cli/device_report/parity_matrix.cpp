@@ -2,7 +2,7 @@
 #include "cases/parity_run.h"
 #include "cli/device_report/report_section.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <set>

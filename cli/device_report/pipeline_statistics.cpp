@@ -5,7 +5,7 @@
 #include "cli/device_report/report_section.h"
 #include "cli/table.h"
 #include "coupling/vulkan/ground_memory.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/pipeline.h"
 #include "fluid/vulkan/wind.h"

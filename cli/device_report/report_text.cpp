@@ -1,6 +1,6 @@
 #include "cli/device_report/report_section.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "cli/bench/wind_contestant.h"
 #include "cli/device_report/report_section.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/device.h"
 
 #include <algorithm>

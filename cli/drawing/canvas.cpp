@@ -3,7 +3,7 @@
 #include "cli/output_file.h"
 #include "cli/pictures.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cairo.h>

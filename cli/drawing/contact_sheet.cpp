@@ -1,6 +1,6 @@
 #include "cli/drawing/canvas.h"
 #include "cli/pictures.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "pictures/sheet.h"
 
 #include <algorithm>

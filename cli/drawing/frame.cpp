@@ -3,7 +3,7 @@
 #include "cli/drawing/layout.h"
 #include "cli/drawing/overlay.h"
 #include "cli/pictures.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <array>

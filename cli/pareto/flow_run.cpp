@@ -5,7 +5,7 @@
 #include "cli/bench/contest.h"
 #include "cli/pareto/pareto_command.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

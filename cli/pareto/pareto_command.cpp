@@ -3,7 +3,7 @@
 #include "cli/flags.h"
 #include "cli/info_command.h"
 #include "cli/output_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/thread_pool.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "cli/pareto/pareto_command.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/number_text.h"
 
 #include <algorithm>

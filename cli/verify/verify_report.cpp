@@ -1,6 +1,6 @@
 #include "cli/table.h"
 #include "cli/verify/verify_command.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "coupling/vulkan/ground_memory.h"
 
 #include "coupling/ground_host.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/device.h"
 #include "shader_words/ground_float.h"
 #include "shader_words/ground_half.h"

@@ -4,23 +4,14 @@
 // history, which the advection subtracts: R = u - s (q - change / s).
 #pragma once
 
+#include "fluid/core/cell_storage.h"
+#include "fluid/core/numerics.h"
 #include "fluid/cpu/sources.h"
-#include "fluid/numerics.h"
 #include "fluid/parallel.h"
 
 #include <span>
 
 namespace windrow::cpu {
-
-/// Rows of cells among plants: drag per metre, and heights of ground and top in cells above the box's low boundary.
-struct CanopyRows {
-    float drag = 0.0f; ///< [1/m] 0: none
-    float ground = 0.0f, top = 0.0f;
-    /// [1/m] Of a row.
-    [[nodiscard]] float drag_of(int row) const {
-        return drag > 0.0f ? drag * numerics::windrow_canopy_fraction(static_cast<float>(row), ground, top) : 0.0f;
-    }
-};
 
 class Acting {
   public:

@@ -1,6 +1,6 @@
 // Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. Method: operators.h.
-#include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/workspace.h"
+#include "fluid/grid/box_rules.h"
 
 #include <cassert>
 
@@ -9,7 +9,7 @@ cpu::AdvectTask Workspace::State::advect_task() const {
     cpu::AdvectTask task{};
     task.row_scales = row_scales();
     for (int axis = 0; axis < 3; ++axis) {
-        const cpu::LegalPlaces legal = cpu::legal_places(box, axis);
+        const LegalPlaces legal = legal_places(box, axis);
         task.cells[axis] = box.cells[axis];
         task.legal.low[axis] = legal.low;
         task.legal.high[axis] = legal.high;
@@ -22,7 +22,7 @@ cpu::AdvectTask Workspace::State::advect_task() const {
 // In a closed room the air comes to rest, in place of relaxing to the ambient wind.
 void Workspace::State::still_rooms(const cpu::PadTask& pad) {
     for (const std::uint32_t n : solids->rooms()) {
-        float* const value = pad.padded_carried + 4 * cpu::padded_index(box.cells, solids->place_of(n));
+        float* const value = pad.padded_carried + 4 * padded_index(box.cells, solids->place_of(n));
         for (std::size_t c = 0; c < 4; ++c) {
             const std::size_t from = 4 * static_cast<std::size_t>(n) + c;
             value[c] =
@@ -56,7 +56,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     pad.row_scales = state.row_scales();
     pad.padded_carried = state.padded_carried.data();
     pad.padded_trace = own_trace ? state.padded_trace.data() : nullptr;
-    state.parallel_for(state.box.cells.z + cpu::k_halo, [&](int plane) { state.kernels->pad_plane(pad, plane); });
+    state.parallel_for(state.box.cells.z + k_halo, [&](int plane) { state.kernels->pad_plane(pad, plane); });
 
     if (pad.relaxation != 1.0f && state.has_solids())
         state.still_rooms(pad);

@@ -18,7 +18,8 @@ class Buffer {
     explicit Buffer(std::size_t size) : size_(size) {
         if (size == 0)
             return;
-        data_ = std::unique_ptr<T[], Release>(static_cast<T*>(allocate_aligned(size * sizeof(T))), Release{size * sizeof(T)});
+        data_ =
+            std::unique_ptr<T[], Release>(static_cast<T*>(detail::allocate_aligned(size * sizeof(T))), Release{size * sizeof(T)});
         std::memset(static_cast<void*>(data_.get()), 0, size * sizeof(T));
     }
 
@@ -35,7 +36,7 @@ class Buffer {
   private:
     struct Release {
         std::size_t bytes = 0;
-        void operator()(T* data) const { release_aligned(data, bytes); }
+        void operator()(T* data) const { detail::release_aligned(data, bytes); }
     };
     std::unique_ptr<T[], Release> data_;
     std::size_t size_ = 0;

@@ -10,41 +10,31 @@ constexpr std::uint32_t k_none = ~std::uint32_t{0};
 
 } // namespace
 
-ObstacleForce force_of(const Push& push, double duration) {
-    if (!(duration > 0.0))
-        return {};
-    const double each_second = static_cast<double>(k_air_density) / duration;
-    return {.force = glm::vec3(each_second * push.impulse),
-            .moment = glm::vec3(each_second * push.twist),
-            .pressure = static_cast<float>(each_second * push.potential),
-            .in_box = push.wetted > 0.0};
-}
-
 void BodyLoads::place(std::span<const PlacedObstacle> bodies) {
     others_.clear();
-    make_room(others_, bodies.size());
-    make_room(pushes_, bodies.size());
+    detail::make_room(others_, bodies.size());
+    detail::make_room(pushes_, bodies.size());
     pushes_.resize(bodies.size());
     for (const PlacedObstacle& body : bodies) {
-        const Load* const before = find(body.slot, body.generation);
-        others_.push_back(before != nullptr ? *before : Load{.slot = body.slot, .generation = body.generation});
+        const BodyLoad* const before = find(body.slot, body.generation);
+        others_.push_back(before != nullptr ? *before : BodyLoad{.slot = body.slot, .generation = body.generation});
     }
     index(others_);
     loads_.swap(others_);
 }
 
 // Of the loads to come: the room is made before anything changes.
-void BodyLoads::index(std::span<const Load> loads) {
+void BodyLoads::index(std::span<const BodyLoad> loads) {
     std::uint32_t slots = 0;
-    for (const Load& load : loads)
+    for (const BodyLoad& load : loads)
         slots = std::max(slots, load.slot + 1);
-    make_room(by_slot_, slots);
+    detail::make_room(by_slot_, slots);
     by_slot_.assign(slots, k_none);
     for (std::size_t n = 0; n < loads.size(); ++n)
         by_slot_[loads[n].slot] = static_cast<std::uint32_t>(n);
 }
 
-const BodyLoads::Load* BodyLoads::find(std::uint32_t slot, std::uint32_t generation) const {
+const BodyLoad* BodyLoads::find(std::uint32_t slot, std::uint32_t generation) const {
     if (slot >= by_slot_.size() || by_slot_[slot] == k_none || loads_[by_slot_[slot]].generation != generation)
         return nullptr;
     return &loads_[by_slot_[slot]];
@@ -52,24 +42,24 @@ const BodyLoads::Load* BodyLoads::find(std::uint32_t slot, std::uint32_t generat
 
 void BodyLoads::begin(float duration) {
     duration_ = duration;
-    for (Load& load : loads_)
+    for (BodyLoad& load : loads_)
         load.sum = load.blast = {};
 }
 
 void BodyLoads::forget_pressure() {
-    for (Load& load : loads_)
+    for (BodyLoad& load : loads_)
         load.sum = {};
 }
 
 void BodyLoads::clear() {
-    for (Load& load : loads_)
+    for (BodyLoad& load : loads_)
         load.history = load.sources = load.sum = load.blast = {};
 }
 
 void BodyLoads::add(const SolidFlow& flow, const float* potential, float scale, float weight, float kept) {
     flow.find_pushes(potential, pushes_);
     for (std::size_t n = 0; n < loads_.size(); ++n) {
-        Load& load = loads_[n];
+        BodyLoad& load = loads_[n];
         load.in_box = pushes_[n].wetted > 0.0;
         load.sum += pushes_[n] + static_cast<double>(scale) * load.history;
         load.history = static_cast<double>(weight) * pushes_[n] + static_cast<double>(kept) * load.history;
@@ -86,14 +76,14 @@ void BodyLoads::renew_sources(const SolidFlow& flow, const float* potential) {
 }
 
 void BodyLoads::end_sources() {
-    for (Load& load : loads_) {
+    for (BodyLoad& load : loads_) {
         load.blast += -1.0 * load.sources;
         load.sources = {};
     }
 }
 
 ObstacleForce BodyLoads::force_on(std::uint32_t slot, std::uint32_t generation) const {
-    const Load* const load = find(slot, generation);
+    const BodyLoad* const load = find(slot, generation);
     if (load == nullptr || !(duration_ > 0.0f))
         return {};
     ObstacleForce force = force_of(load->sum + load->blast, static_cast<double>(duration_));
@@ -101,7 +91,7 @@ ObstacleForce BodyLoads::force_on(std::uint32_t slot, std::uint32_t generation) 
     return force;
 }
 
-void BodyLoads::restore(std::vector<Load>&& loads, float duration) {
+void BodyLoads::restore(std::vector<BodyLoad>&& loads, float duration) {
     pushes_.resize(loads.size());
     index(loads);
     loads_ = std::move(loads);
@@ -109,8 +99,8 @@ void BodyLoads::restore(std::vector<Load>&& loads, float duration) {
 }
 
 std::size_t BodyLoads::memory_bytes() const {
-    return (loads_.capacity() + others_.capacity()) * sizeof(Load) + by_slot_.capacity() * sizeof(std::uint32_t) +
-           pushes_.capacity() * sizeof(Push);
+    return (loads_.capacity() + others_.capacity()) * sizeof(BodyLoad) + by_slot_.capacity() * sizeof(std::uint32_t) +
+           pushes_.capacity() * sizeof(PressurePush);
 }
 
 } // namespace windrow::cpu

@@ -10,30 +10,16 @@
 
 #include "fluid/api.h"
 #include "fluid/cpu/solid_flow.h"
-#include "fluid/obstacle_force.h"
+#include "fluid/solids/loads.h"
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 namespace windrow::cpu {
 
-/// `push` in a step of so many seconds.
-[[nodiscard]] WINDROW_INTERNAL ObstacleForce force_of(const Push& push, double duration);
-
 class BodyLoads {
   public:
-    /// What is kept of a body, by its handle.
-    struct Load {
-        std::uint32_t slot = 0, generation = 0;
-        bool in_box = false;
-        Push history{}; ///< of psi
-        Push sources{}; ///< of the potential of volume sources
-        Push sum{};     ///< pressure in the step
-        Push blast{};   ///< changes of `sources` in the step
-    };
-
     /// Replaces the bodies; those that were there keep their loads. Throws std::bad_alloc.
     void place(std::span<const PlacedObstacle> bodies);
     /// A step of so many seconds begins.
@@ -49,21 +35,21 @@ class BodyLoads {
     void clear();
 
     [[nodiscard]] ObstacleForce force_on(std::uint32_t slot, std::uint32_t generation) const;
-    [[nodiscard]] std::span<const Load> loads() const { return loads_; }
+    [[nodiscard]] std::span<const BodyLoad> loads() const { return loads_; }
     [[nodiscard]] float duration() const { return duration_; }
     /// From a snapshot. Throws std::bad_alloc.
-    void restore(std::vector<Load>&& loads, float duration);
+    void restore(std::vector<BodyLoad>&& loads, float duration);
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    void index(std::span<const Load> loads);
-    [[nodiscard]] const Load* find(std::uint32_t slot, std::uint32_t generation) const;
+    void index(std::span<const BodyLoad> loads);
+    [[nodiscard]] const BodyLoad* find(std::uint32_t slot, std::uint32_t generation) const;
 
-    float duration_ = 0.0f;   ///< [s] of the step
-    std::vector<Load> loads_; ///< in the order of the bodies placed
-    std::vector<Load> others_;
+    float duration_ = 0.0f;       ///< [s] of the step
+    std::vector<BodyLoad> loads_; ///< in the order of the bodies placed
+    std::vector<BodyLoad> others_;
     std::vector<std::uint32_t> by_slot_; ///< place in `loads_` of each slot
-    std::vector<Push> pushes_;           ///< of one potential
+    std::vector<PressurePush> pushes_;   ///< of one potential
 };
 
 } // namespace windrow::cpu

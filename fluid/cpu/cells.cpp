@@ -2,9 +2,9 @@
 // uniform.
 #include "fluid/cpu/cells.h"
 
-#include "fluid/cpu/box_rules.h"
+#include "fluid/core/wind_core.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/wind_core.h"
+#include "fluid/grid/box_rules.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -4,14 +4,14 @@
 #pragma once
 
 #include "fluid/api.h"
-#include "fluid/cell_storage.h"
+#include "fluid/core/cell_storage.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/cpu/body_loads.h"
 #include "fluid/cpu/sources.h"
-#include "fluid/cpu/surface_layer.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
+#include "fluid/solids/surface_layer.h"
 
 #include <atomic>
 #include <mutex>
@@ -47,15 +47,6 @@ struct FrameCells {
     Field shown, shown_before;
 
     [[nodiscard]] std::size_t memory_bytes() const { return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes(); }
-};
-
-/// What the pressure around obstacles keeps from step to step, for snapshots.
-struct SurfaceHistory {
-    std::vector<std::uint32_t> keys{}; ///< of closed faces, in order: 4 times the low cell, plus the axis
-    std::vector<float> terms{};        ///< one each
-    glm::ivec3 shift{0};               ///< cells by which the box has moved since
-    std::vector<BodyLoads::Load> loads{};
-    float duration = 0.0f; ///< [s] of the step of the loads
 };
 
 class Cells final : public CellStorage {

@@ -1,7 +1,7 @@
 // Viscosity, and the turbulence over rough ground, in a step of the cells (step.cpp).
+#include "fluid/core/wind_core.h"
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/stopwatch.h"
-#include "fluid/wind_core.h"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 // Obstacles in a step of the cells (step.cpp): where they are, the pressure around them, and what reads beside them find.
+#include "fluid/core/message.h"
+#include "fluid/core/numerics.h"
+#include "fluid/core/wind_core.h"
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/stopwatch.h"
-#include "fluid/message.h"
-#include "fluid/numerics.h"
-#include "fluid/wind_core.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& rep
     Stopwatch watch("windrow obstacles", report.times_ms.obstacles);
     const bool others = step.obstacles_stirred || place_again_;
     const bool placed = detail::memory_lasts([&] {
-        cpu::make_room(placed_, step.obstacles.size());
+        detail::make_room(placed_, step.obstacles.size());
         placed_.assign(step.obstacles.begin(), step.obstacles.end());
         detail::move_back(placed_, early);
         work.state().set_obstacles(placed_, unplaced_shift_);
         loads.place(placed_);
         if (work.state().has_solids()) {
             const std::size_t sheltered = work.state().solids->sheltered().size();
-            cpu::make_room(sheltered_air_, sheltered);
+            detail::make_room(sheltered_air_, sheltered);
             sheltered_air_.resize(sheltered);
         }
     });

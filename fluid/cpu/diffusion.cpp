@@ -9,9 +9,9 @@
 // its own before it, implicit in each cell: the splitting is of first order too.
 //
 // Crank-Nicolson would be second order, but does not damp the shortest waves at r = 1e4.
+#include "fluid/core/numerics.h"
 #include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/numerics.h"
 
 #include <algorithm>
 #include <cassert>

@@ -121,7 +121,7 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
 
 void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSolve& around, const GradientNote& note) {
     const cpu::SolidFlow flow = solid_flow();
-    const std::span<const cpu::Solids::SurfaceCell> cells = solids->surface();
+    const std::span<const Solids::SurfaceCell> cells = solids->surface();
     // Over the volume, in which the operator is symmetric.
     const auto sum = [&](const auto& term) {
         double total = 0.0;
@@ -204,20 +204,20 @@ void Workspace::State::add_to_rows(cpu::Buffer<float>& a, const cpu::Buffer<floa
     });
 }
 
-void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift) {
+void Workspace::State::set_obstacles(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) {
     if (!solids && obstacles.empty())
         return;
     if (!solids || !(solids->boundaries() == box.boundaries)) { // other boundaries make other images and rooms
-        solids = std::make_unique<cpu::Solids>(box, pressure.pitch());
+        solids = std::make_unique<Solids>(box, pressure.pitch());
         direction = cpu::Buffer<float>(potential.size());
         correction = cpu::Buffer<float>(potential.size());
     }
     solid_keys.swap(keys_before);
     solid_terms.swap(terms_before);
     solids->place(obstacles, shift);
-    const std::span<const cpu::ClosedFace> faces = solids->faces();
+    const std::span<const ClosedFace> faces = solids->faces();
     const auto empty = [](std::vector<float>& terms, std::size_t count) {
-        cpu::make_room(terms, count);
+        detail::make_room(terms, count);
         terms.assign(count, 0.0f);
     };
     for (std::vector<float>* terms : {&closed_slopes, &solid_terms})

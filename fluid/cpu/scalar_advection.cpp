@@ -1,6 +1,6 @@
 // Advection of a scalar along the wind's trajectories. Walls mirror it, open boundaries hold the caller's outside value.
+#include "fluid/core/message.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/message.h"
 
 #include <cassert>
 
@@ -27,14 +27,14 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
     pad.padded_carried = state.padded_carried.data();
     pad.padded_trace = box.rows ? state.padded_trace.data() : nullptr;
     pad.row_scales = state.row_scales();
-    const glm::ivec3 padded = box.cells + cpu::k_halo;
+    const glm::ivec3 padded = box.cells + k_halo;
     state.parallel_for(padded.z, [&](int plane) {
         state.kernels->pad_plane(pad, plane);
-        const cpu::HaloRule& z = state.rules[2][plane];
+        const HaloRule& z = state.rules[2][plane];
         float* to = state.padded_scalar.data() + static_cast<std::size_t>(plane) * padded.x * padded.y;
         for (int row = 0; row < padded.y; ++row) {
-            const cpu::HaloRule& y = state.rules[1][row];
-            for (const cpu::HaloRule& x : state.rules[0])
+            const HaloRule& y = state.rules[1][row];
+            for (const HaloRule& x : state.rules[0])
                 *to++ = x.ambient || y.ambient || z.ambient ? transport.outside
                                                             : transport.carried[box.index(x.source, y.source, z.source)];
         }

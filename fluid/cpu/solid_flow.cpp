@@ -1,7 +1,7 @@
 #include "fluid/cpu/solid_flow.h"
 
-#include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/kernels/kernels.h"
+#include "fluid/grid/box_rules.h"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ void for_each_face(const Box& box, std::span<const ClosedFace> faces, const Visi
 }
 
 // `push` holds the sum of the potential over its surface.
-Push finished(Push push, float cell_size) {
+PressurePush finished(PressurePush push, float cell_size) {
     if (push.wetted > 0.0)
         push.potential *= static_cast<double>(cell_size) / push.wetted;
     return push;
@@ -240,14 +240,14 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
     return found;
 }
 
-Push SolidFlow::push_on(std::size_t body, const float* potential) const {
-    std::vector<Push> pushes(solids_.bodies().size());
+PressurePush SolidFlow::push_on(std::size_t body, const float* potential) const {
+    std::vector<PressurePush> pushes(solids_.bodies().size());
     find_pushes(potential, pushes);
     return pushes[body];
 }
 
 // Without a choice by axis or by what is shut, which differ from face to face.
-void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) const {
+void SolidFlow::find_pushes(const float* potential, std::span<PressurePush> pushes) const {
     constexpr glm::dvec3 k_axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     const double h = static_cast<double>(box_.cell_size);
     glm::dvec3 period(0.0); // [m] 0: not periodic
@@ -255,12 +255,12 @@ void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) cons
         if (box_.boundaries.periodic(axis))
             period[axis] = h * box_.cells[axis];
     const bool periodic = period != glm::dvec3(0.0);
-    std::fill(pushes.begin(), pushes.end(), Push{});
+    std::fill(pushes.begin(), pushes.end(), PressurePush{});
     const std::span<const ClosedFace> all = solids_.faces();
     for (std::size_t n = 0; n < all.size();) { // those of a body that follow each other, in registers
         const std::uint16_t body = all[n].body;
         const glm::dvec3 position(solids_.bodies()[body].position);
-        Push push;
+        PressurePush push;
         for (; n < all.size() && all[n].body == body; ++n) {
             const ClosedFace& face = all[n];
             const glm::dvec3& axis = k_axes[face.axis];
@@ -282,7 +282,7 @@ void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) cons
         }
         pushes[body] += push;
     }
-    for (Push& push : pushes)
+    for (PressurePush& push : pushes)
         push = finished(push, box_.cell_size);
 }
 

@@ -1,7 +1,8 @@
 // Passes of a step over the faces and cells at obstacles (solids.h): each visits lists, none the whole grid.
 #pragma once
 
-#include "fluid/cpu/solids.h"
+#include "fluid/solids/loads.h"
+#include "fluid/solids/solids.h"
 
 #include <array>
 #include <glm/vec4.hpp>
@@ -14,22 +15,6 @@ namespace windrow::cpu {
 struct PrescribedFlow {
     const float* ambient = nullptr; ///< four floats a padded cell; null: none
     [[nodiscard]] bool any() const { return ambient != nullptr; }
-};
-
-/// What a potential does to a body, over the air's density.
-struct Push {
-    glm::dvec3 impulse{0.0}; ///< [m^4/s]
-    glm::dvec3 twist{0.0};   ///< [m^5/s] about the body's position
-    double potential = 0.0;  ///< [m^2/s] mean over its surface
-    double wetted = 0.0;     ///< closed faces, by fraction and side
-
-    Push& operator+=(const Push& other) { return *this = *this + other; }
-    friend Push operator+(const Push& a, const Push& b) {
-        return {a.impulse + b.impulse, a.twist + b.twist, a.potential + b.potential, a.wetted + b.wetted};
-    }
-    friend Push operator*(double factor, const Push& push) {
-        return {factor * push.impulse, factor * push.twist, factor * push.potential, factor * push.wetted};
-    }
 };
 
 class SolidFlow {
@@ -73,8 +58,8 @@ class SolidFlow {
     [[nodiscard]] double correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
                                             std::span<float> flux) const;
     /// What the potential does to a body, and to each; a face that several close counts for the first of them.
-    [[nodiscard]] Push push_on(std::size_t body, const float* potential) const;
-    void find_pushes(const float* potential, std::span<Push> pushes) const;
+    [[nodiscard]] PressurePush push_on(std::size_t body, const float* potential) const;
+    void find_pushes(const float* potential, std::span<PressurePush> pushes) const;
 
   private:
     /// [m/s] Of the body that closes a face, at the face.

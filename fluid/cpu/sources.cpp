@@ -1,7 +1,7 @@
 #include "fluid/cpu/sources.h"
 
 #include "fluid/box.h"
-#include "fluid/numerics.h"
+#include "fluid/core/numerics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
 // Sources stage: effect of the motors on the air, gathered per cell from the motors that reach it.
 #pragma once
 
-#include "fluid/ambient_numerics.h"
 #include "fluid/api.h"
 #include "fluid/box.h"
+#include "fluid/core/ambient_numerics.h"
 #include "fluid/cpu/aligned.h"
-#include "fluid/cpu/solids.h"
 #include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
+#include "fluid/solids/solids.h"
 
 #include <cstdint>
 #include <glm/vec4.hpp>

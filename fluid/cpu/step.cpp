@@ -29,11 +29,12 @@
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): complete stages in sequence, order 1.
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
+#include "fluid/core/numerics.h"
+#include "fluid/core/wind_core.h"
+#include "fluid/cpu/acting.h"
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/numerics.h"
-#include "fluid/wind_core.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Time of a stage of the step.
 #pragma once
 
-#include "fluid/zone.h"
+#include "fluid/core/zone.h"
 
 #include <chrono>
 

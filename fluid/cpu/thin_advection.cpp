@@ -7,9 +7,9 @@
 //
 // The air of a closed room is carried so too, in walls of any thickness, since no prescribed wind blows there. Walls of the box
 // count as closed faces of a room.
-#include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
+#include "fluid/grid/box_rules.h"
 
 #include <array>
 #include <cmath>
@@ -17,10 +17,6 @@
 
 namespace windrow {
 namespace {
-
-using cpu::k_halo;
-using cpu::k_halo_low;
-using cpu::Solids;
 
 // A point of a trajectory: `cell` is the cell that holds it, `place` its distance from the first cell's centre, in cells.
 struct Point {
@@ -171,7 +167,7 @@ class ThinReader {
     void read_open(const float* padded, glm::ivec3 base, glm::ivec3 own, const float (&weights)[3][4], float* result) const {
         const glm::ivec3 size = state_.box.cells + k_halo;
         const std::ptrdiff_t row = Components * static_cast<std::ptrdiff_t>(size.x), plane = row * size.y;
-        const float* const first = padded + Components * cpu::padded_index(state_.box.cells, base - 1);
+        const float* const first = padded + Components * windrow::padded_index(state_.box.cells, base - 1);
         const float* const own_value = first + (own.z + 1) * plane + (own.y + 1) * row + (own.x + 1) * Components;
         float sum[Components] = {};
         for (int z = First; z < End; ++z)
@@ -279,7 +275,7 @@ class ThinReader {
         std::uint32_t low;
         if (!face(cell, axis, side, low))
             return 0.0f;
-        const cpu::ClosedFace* const closed_face = solids_.face(low, axis);
+        const ClosedFace* const closed_face = solids_.face(low, axis);
         float speed = closed_face != nullptr ? closed_face->wall / closed_face->closed : 0.0f;
         if (task_.prescribed.now != nullptr && !room_)
             speed -= task_.prescribed.now[4 * padded_index(slipped(cell)) + axis];
@@ -291,8 +287,8 @@ class ThinReader {
         for (int axis = 0; axis < 3; ++axis)
             cell[axis] = state_.box.boundaries.periodic(axis)
                              ? inside(cell[axis], axis)
-                             : std::min(std::max(cell[axis], -k_halo_low), size[axis] + cpu::k_halo_high - 1);
-        return cpu::padded_index(size, cell);
+                             : std::min(std::max(cell[axis], -k_halo_low), size[axis] + k_halo_high - 1);
+        return windrow::padded_index(size, cell);
     }
 
     const Workspace::State& state_;

@@ -1,7 +1,7 @@
 #include "fluid/cpu/workspace.h"
 
-#include "fluid/cpu/box_rules.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/grid/box_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,23 +18,23 @@ bool same_kinds(const Boundaries& a, const Boundaries& b) {
     return true;
 }
 
-Workspace::State::Rules rules_of(const Box& box, std::vector<cpu::HaloRule> (*of)(const Box&, int)) {
+Workspace::State::Rules rules_of(const Box& box, std::vector<HaloRule> (*of)(const Box&, int)) {
     return {of(box, 0), of(box, 1), of(box, 2)};
 }
 
-cpu::ColumnRows column_rows(const Box& box) {
-    return box.rows ? cpu::ColumnRows(*box.rows, box.cell_size) : cpu::ColumnRows();
+ColumnRows column_rows(const Box& box) {
+    return box.rows ? ColumnRows(*box.rows, box.cell_size) : ColumnRows();
 }
 
 cpu::SeparableSolver pressure_of(const Box& box, const cpu::Kernels& kernels, const ParallelFor& parallel_for) {
-    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.boundaries), kernels, column_rows(box));
+    cpu::SeparableSolver solver(box.cells, pressure_ends(box.boundaries), kernels, column_rows(box));
     solver.set_shift(0.0, parallel_for);
     return solver;
 }
 
 std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kernels& kernels) {
     const auto solver = [&](int component) {
-        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.boundaries, component), kernels, column_rows(box));
+        return cpu::SeparableSolver(box.cells, velocity_ends(box.boundaries, component), kernels, column_rows(box));
     };
     return {solver(0), solver(1), solver(2)};
 }
@@ -44,7 +44,7 @@ std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kern
 Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
     : box(settings.box), requested_ambient(settings.ambient),
       ambient(admissible_ambient(settings.box.boundaries, settings.ambient)), parallel_for(settings.parallel_for),
-      kernels(&table), rules(rules_of(box, cpu::halo_rules)), carried_rules(rules_of(box, cpu::carried_rules)),
+      kernels(&table), rules(rules_of(box, windrow::halo_rules)), carried_rules(rules_of(box, windrow::carried_rules)),
       padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()), pressure(pressure_of(box, table, parallel_for)),
       surveys(static_cast<std::size_t>(box.cells.z)) {
     build_ghosts();
@@ -52,15 +52,15 @@ Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
 }
 
 std::size_t Workspace::State::padded_cells() const {
-    const glm::ivec3 padded = box.cells + cpu::k_halo;
+    const glm::ivec3 padded = box.cells + k_halo;
     return static_cast<std::size_t>(padded.x) * static_cast<std::size_t>(padded.y) * static_cast<std::size_t>(padded.z);
 }
 
 void Workspace::State::build_ghosts() {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
-            velocity_ghosts[axis][end] = cpu::velocity_ghost(box, axis, end);
-            potential_ghosts[axis][end] = cpu::potential_ghost(box, axis, end);
+            velocity_ghosts[axis][end] = velocity_ghost(box, axis, end);
+            potential_ghosts[axis][end] = potential_ghost(box, axis, end);
         }
 }
 
@@ -84,7 +84,7 @@ void Workspace::State::set_boundaries(const Boundaries& boundaries) {
     static_assert(std::is_nothrow_move_assignable_v<cpu::SeparableSolver>, "all is made before anything changes");
     Box wanted = box;
     wanted.boundaries = boundaries;
-    Rules wanted_rules = rules_of(wanted, cpu::halo_rules), wanted_carried = rules_of(wanted, cpu::carried_rules);
+    Rules wanted_rules = rules_of(wanted, windrow::halo_rules), wanted_carried = rules_of(wanted, windrow::carried_rules);
     const bool kinds_changed = !same_kinds(box.boundaries, boundaries);
     if (kinds_changed) {
         auto wanted_pressure = pressure_of(wanted, *kernels, parallel_for);
@@ -116,7 +116,7 @@ std::size_t Workspace::State::memory_bytes() const {
                         correction.bytes();
     for (const auto* each : {&rules, &carried_rules})
         for (const auto& axis : *each)
-            bytes += axis.capacity() * sizeof(cpu::HaloRule);
+            bytes += axis.capacity() * sizeof(HaloRule);
     if (diffusion)
         for (const auto& component : *diffusion)
             bytes += component.memory_bytes();

@@ -32,7 +32,7 @@ struct PressureSolve {
 } // namespace cpu
 
 struct WINDROW_HIDDEN Workspace::State {
-    using Rules = std::array<std::vector<cpu::HaloRule>, 3>;
+    using Rules = std::array<std::vector<HaloRule>, 3>;
 
     State(const Settings& settings, const cpu::Kernels& kernels);
 
@@ -54,8 +54,8 @@ struct WINDROW_HIDDEN Workspace::State {
     Rules rules;
     /// The same for transport: the air slips along every wall.
     Rules carried_rules;
-    cpu::NormalGhost velocity_ghosts[3][2];
-    cpu::NormalGhost potential_ghosts[3][2];
+    NormalGhost velocity_ghosts[3][2];
+    NormalGhost potential_ghosts[3][2];
 
     cpu::Buffer<float> padded_carried; ///< four floats a padded cell
     cpu::Buffer<float> padded_trace;
@@ -119,12 +119,12 @@ struct WINDROW_HIDDEN Workspace::State {
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                  const cpu::FreeAir* beyond = nullptr, SolidSolve* around = nullptr);
     /// Obstacles in the box; null: none.
-    std::unique_ptr<cpu::Solids> solids;
+    std::unique_ptr<Solids> solids;
     /// Slopes of the last steps' phi over closed faces: history of the pressure around obstacles, as q is that of the air.
     std::vector<float> solid_terms;
     std::vector<std::uint32_t> solid_keys; ///< the faces that they are of: 4 times the low cell, plus the axis; sorted
     /// Replaces the obstacles. Faces keep their terms; `shift`: cells by which the box has moved since.
-    void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
+    void set_obstacles(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     void still_rooms(const cpu::PadTask& pad);
     [[nodiscard]] float fastest_by_rows(const float* velocity) const;
     void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);

@@ -1,8 +1,8 @@
 #include "fluid/shapes/height_map.h"
 
-#include "fluid/message.h"
-#include "fluid/shapes/content.h"
-#include "fluid/validation.h"
+#include "fluid/core/message.h"
+#include "fluid/core/validation.h"
+#include "fluid/solids/content.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,9 +1,9 @@
 #include "fluid/shapes/triangle_mesh.h"
 
-#include "fluid/shapes/content.h"
-#include "fluid/shapes/mesh_signs.h"
-#include "fluid/shapes/mesh_surface.h"
-#include "fluid/shapes/mesh_tree.h"
+#include "fluid/solids/content.h"
+#include "fluid/solids/mesh_signs.h"
+#include "fluid/solids/mesh_surface.h"
+#include "fluid/solids/mesh_tree.h"
 
 #include <algorithm>
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #include "fluid/shapes/voxel_grid.h"
 
-#include "fluid/message.h"
-#include "fluid/shapes/content.h"
+#include "fluid/core/message.h"
+#include "fluid/solids/content.h"
 
 #include <algorithm>
 #include <cmath>

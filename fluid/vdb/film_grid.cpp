@@ -1,7 +1,7 @@
 #include "fluid/vdb/film_grid.h"
 
-#include "fluid/message.h"
-#include "fluid/view_place.h"
+#include "fluid/core/message.h"
+#include "fluid/core/view_place.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fluid/vdb/grid_rules.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

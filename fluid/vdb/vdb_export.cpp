@@ -10,8 +10,8 @@
 
 #include "fluid/vdb/vdb_export.h"
 
-#include "fluid/message.h"
-#include "fluid/new_file.h"
+#include "fluid/core/message.h"
+#include "fluid/files/new_file.h"
 #include "fluid/vdb/even_grid.h"
 #include "fluid/vdb/grid_rules.h"
 #include "fluid/version.h"

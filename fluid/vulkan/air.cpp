@@ -1,7 +1,7 @@
 #include "fluid/vulkan/air.h"
 
-#include "fluid/cpu/box_rules.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/grid/box_rules.h"
 #include "fluid/vulkan/label.h"
 
 #include <algorithm>
@@ -191,13 +191,13 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     block.ambient = ambient.mean();
     block.viscosity = config_.viscosity;
     for (int axis = 0; axis < 3; ++axis) {
-        const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
+        const LegalPlaces legal = legal_places(air, axis);
         block.low[axis] = legal.low;
         block.high[axis] = legal.high;
         block.period[axis] = legal.period;
         block.inverse_period[axis] = legal.inverse_period;
-        const cpu::NormalGhost u_low = cpu::velocity_ghost(air, axis, 0), u_high = cpu::velocity_ghost(air, axis, 1);
-        const cpu::NormalGhost p_low = cpu::potential_ghost(air, axis, 0), p_high = cpu::potential_ghost(air, axis, 1);
+        const NormalGhost u_low = velocity_ghost(air, axis, 0), u_high = velocity_ghost(air, axis, 1);
+        const NormalGhost p_low = potential_ghost(air, axis, 0), p_high = potential_ghost(air, axis, 1);
         block.low_source[axis] = u_low.source;
         block.high_source[axis] = u_high.source;
         block.velocity_low[axis] = u_low.scale;

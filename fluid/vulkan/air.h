@@ -17,10 +17,10 @@
 #pragma once
 
 #include "fluid/api.h"
-#include "fluid/cell_storage.h"
-#include "fluid/cpu/body_loads.h"
-#include "fluid/cpu/surface_layer.h"
-#include "fluid/snapshot.h"
+#include "fluid/core/cell_storage.h"
+#include "fluid/core/snapshot.h"
+#include "fluid/solids/loads.h"
+#include "fluid/solids/surface_layer.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
 #include "fluid/vulkan/passes.h"
@@ -131,7 +131,7 @@ class Air {
     /// The bytes after the report, without forces.
     [[nodiscard]] std::span<const std::byte> read(int slot) const;
     /// What acted on a body in the last tick of a slot's recording: the sums of that tick.
-    [[nodiscard]] cpu::Push push_on(int slot, int body) const;
+    [[nodiscard]] PressurePush push_on(int slot, int body) const;
     /// Bodies of the last tick that was recorded, in the order of the device, and its duration.
     [[nodiscard]] std::span<const detail::PlacedObstacle> bodies() const;
     [[nodiscard]] double step_duration() const { return step_duration_; }
@@ -273,7 +273,7 @@ class Air {
     std::unique_ptr<SolidTables> solids_;        ///< null until there is an obstacle
     std::vector<detail::PlacedObstacle> placed_; ///< scratch
     std::vector<detail::MotorReach> uncovered_;  ///< scratch
-    std::optional<cpu::SurfaceLayer> layer_;     ///< over rough ground
+    std::optional<SurfaceLayer> layer_;          ///< over rough ground
     std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
     std::vector<float> layer_wanted_;            ///< scratch
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement

@@ -1,6 +1,6 @@
 // Obstacles on the device: the host rasterises them where they or the box have moved, and uploads the tables with the step.
-#include "fluid/message.h"
-#include "fluid/numerics.h"
+#include "fluid/core/message.h"
+#include "fluid/core/numerics.h"
 #include "fluid/vulkan/air.h"
 
 #include <algorithm>
@@ -220,7 +220,7 @@ std::span<const detail::MotorReach> Air::uncovered(std::span<const detail::Motor
     if (!solids_ || !solids_->any() ||
         std::none_of(motors.begin(), motors.end(), [](const auto& motor) { return motor.law == Law::source; }))
         return motors;
-    const cpu::Solids& solids = solids_->solids();
+    const Solids& solids = solids_->solids();
     const Boundaries& boundaries = config_.boundaries;
     const bool closed = !boundaries.has_open(0) && !boundaries.has_open(1) && !boundaries.has_open(2);
     uncovered_.assign(motors.begin(), motors.end());

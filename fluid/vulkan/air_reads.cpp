@@ -72,7 +72,7 @@ std::span<const std::byte> Air::read(int slot) const {
             static_cast<std::size_t>(slot_bytes(settings_.reads) - forces_bytes(settings_.reads)) - sizeof(WindrowReport)};
 }
 
-cpu::Push Air::push_on(int slot, int body) const {
+PressurePush Air::push_on(int slot, int body) const {
     std::array<float, WINDROW_PUSHED> read{};
     const std::size_t first = slot_bytes(settings_.reads) - forces_bytes(settings_.reads);
     std::memcpy(read.data(), this->slot(slot).mapped() + first + static_cast<std::size_t>(body) * sizeof(read), sizeof(read));

@@ -3,7 +3,7 @@
 //
 // Tables of 10^4 floats and more go through a range of host memory, which a copy in the command buffer reads. A range is written
 // before it is recorded and never again: new tables get a new range, and the old one is kept until its slot is reused.
-#include "fluid/cpu/box_rules.h"
+#include "fluid/grid/box_rules.h"
 #include "fluid/vulkan/air.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 
 std::vector<WindrowRule> rules_in(const Box& box) {
     std::vector<WindrowRule> rules;
-    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
+    for (const auto rules_of : {halo_rules, carried_rules})
         for (int axis = 0; axis < 3; ++axis)
-            for (const cpu::HaloRule& from : rules_of(box, axis)) {
+            for (const HaloRule& from : rules_of(box, axis)) {
                 WindrowRule rule{};
                 rule.source = from.source;
                 rule.beyond_open_side = from.ambient ? 1 : 0;
@@ -37,7 +37,7 @@ std::vector<WindrowRule> rules_in(const Box& box) {
 
 // Of a padded field, as pass.glsl reads them.
 std::vector<WindrowRow> Air::rows_in(const RowTable& rows) const {
-    const cpu::ColumnRows columns(rows, static_cast<double>(config_.cell_size));
+    const ColumnRows columns(rows, static_cast<double>(config_.cell_size));
     std::vector<WindrowRow> found;
     for (int j = -WINDROW_HALO_LOW; j < rows.count() + WINDROW_HALO - WINDROW_HALO_LOW; ++j) {
         const int within = std::clamp(j, 0, rows.count() - 1);
@@ -88,12 +88,11 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
 }
 
 SolveTables Air::tables_of(const Boundaries& boundaries) const {
-    const cpu::ColumnRows rows =
-        rows_table_ ? cpu::ColumnRows(*rows_table_, static_cast<double>(config_.cell_size)) : cpu::ColumnRows();
-    SolveTables tables(config_.cells, cpu::pressure_ends(boundaries), rows);
+    const ColumnRows rows = rows_table_ ? ColumnRows(*rows_table_, static_cast<double>(config_.cell_size)) : ColumnRows();
+    SolveTables tables(config_.cells, pressure_ends(boundaries), rows);
     if (prepared_ == DiffusionMethod::implicit)
-        tables.add_diffusion(config_.cells, {cpu::velocity_ends(boundaries, 0), cpu::velocity_ends(boundaries, 1),
-                                             cpu::velocity_ends(boundaries, 2)});
+        tables.add_diffusion(config_.cells,
+                             {velocity_ends(boundaries, 0), velocity_ends(boundaries, 1), velocity_ends(boundaries, 2)});
     return tables;
 }
 

@@ -1,7 +1,7 @@
 // Parameter blocks of the passes of a tick: shaders/fluid/blocks.glsl as C++.
 #pragma once
 
-#include "fluid/ambient_numerics.h"
+#include "fluid/core/ambient_numerics.h"
 #include "fluid/motor_reach.h"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "fluid/vulkan/device.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/pipeline_store.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // read-back shows that the air is still and nothing has acted since.
 #include "fluid/vulkan/device_cells.h"
 
-#include "fluid/message.h"
-#include "fluid/wind_core.h"
+#include "fluid/core/message.h"
+#include "fluid/core/wind_core.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fluid/vulkan/fields.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/passes.h"
 

@@ -46,7 +46,7 @@ struct Fields {
     /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
     /// and the sum of those before it, the direction.
     Buffer solids, around, correction, direction;
-    Buffer layer;              ///< over rough ground: tables of cpu::SurfaceLayer
+    Buffer layer;              ///< over rough ground: tables of SurfaceLayer
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
     /// [0] and [1]: of this frame and of the last, in turns. Four components; x, y, z.

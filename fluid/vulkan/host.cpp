@@ -1,6 +1,6 @@
 #include "fluid/vulkan/host.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 namespace windrow::vulkan {
 namespace {

@@ -1,6 +1,6 @@
 #include "fluid/vulkan/image.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/functions.h"
 

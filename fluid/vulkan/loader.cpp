@@ -1,6 +1,6 @@
 #include "fluid/vulkan/loader.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <string>
 

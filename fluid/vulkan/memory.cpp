@@ -1,6 +1,6 @@
 #include "fluid/vulkan/memory.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/free_ranges.h"
 #include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/handle.h"

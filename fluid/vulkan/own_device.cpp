@@ -1,6 +1,6 @@
 #include "fluid/vulkan/own_device.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/instance.h"
 

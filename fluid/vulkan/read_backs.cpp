@@ -1,8 +1,8 @@
 #include "fluid/vulkan/read_backs.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/core/view_place.h"
 #include "fluid/textures.h"
-#include "fluid/view_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,7 +151,7 @@ ObstacleForce ReadBacks::force_on(const Air& air, std::uint32_t slot, std::uint3
     const auto found = std::find(bodies.begin(), bodies.end(), std::pair(slot, generation));
     if (found == bodies.end())
         return {};
-    return cpu::force_of(air.push_on(held_, static_cast<int>(found - bodies.begin())), held().duration);
+    return force_of(air.push_on(held_, static_cast<int>(found - bodies.begin())), held().duration);
 }
 
 void ReadBacks::forget() {

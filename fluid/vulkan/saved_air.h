@@ -1,7 +1,7 @@
 // The state of the air in the host's memory: on its way from the device to a snapshot, or from a snapshot to the device.
 #pragma once
 
-#include "fluid/snapshot.h"
+#include "fluid/core/snapshot.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/buffer.h"
 

@@ -49,7 +49,7 @@ void SolidTables::place(std::span<const detail::PlacedObstacle> obstacles, glm::
     add_origins(shift);
     if (loads_)
         add_loads();
-    for (const cpu::Solids::Ghost& ghost : solids_.ghosts())
+    for (const Solids::Ghost& ghost : solids_.ghosts())
         ghost_of_[ghost.cell] = k_none;
 }
 
@@ -64,7 +64,7 @@ void SolidTables::flatten_ghosts() {
     first_terms_.clear();
     const auto sources = solids_.ghost_sources();
     std::uint32_t number = 0;
-    for (const cpu::Solids::Ghost& ghost : solids_.ghosts()) {
+    for (const Solids::Ghost& ghost : solids_.ghosts()) {
         const std::size_t first = terms_.size();
         first_terms_.push_back(static_cast<std::uint32_t>(first));
         const auto add_term = [&](const Term& term) {
@@ -78,7 +78,7 @@ void SolidTables::flatten_ghosts() {
             same->weight = weight;
         };
         const float part = 1.0f / static_cast<float>(ghost.count);
-        for (const cpu::Solids::GhostSource& source : sources.subspan(ghost.first, ghost.count)) {
+        for (const Solids::GhostSource& source : sources.subspan(ghost.first, ghost.count)) {
             const std::uint32_t before = ghost_of_[source.cell];
             if (before == k_none) {
                 add_term({source.cell, part, source.normal, source.wall});
@@ -138,7 +138,7 @@ void SolidTables::add_records() {
             for (const int side : {-1, 1}) {
                 std::uint32_t low = cell;
                 const bool there = side > 0 || solids_.low_neighbour(cell, axis, low);
-                const cpu::ClosedFace* const face = there ? solids_.face(low, axis) : nullptr;
+                const ClosedFace* const face = there ? solids_.face(low, axis) : nullptr;
                 words_.push_back(face == nullptr ? -1 : static_cast<std::int32_t>(face - solids_.faces().data()));
             }
         const std::uint32_t ghost = ghost_of_[cell];
@@ -159,7 +159,7 @@ void SolidTables::add_records() {
 
 void SolidTables::add_faces() {
     const int at = here();
-    for (const cpu::ClosedFace& face : solids_.faces()) {
+    for (const ClosedFace& face : solids_.faces()) {
         int flags = face.axis;
         for (int end = 0; end < 2; ++end)
             flags |= (solids_.is_sheltered(face.cell[end]) ? WINDROW_LOW_SHELTERED << end : 0) |
@@ -221,7 +221,7 @@ void SolidTables::add_rooms(glm::ivec3 shift) {
 void SolidTables::find_reaches() {
     std::fill(reaches_.begin(), reaches_.end(), k_out_of_reach);
     glm::ivec3 low = box_.cells, high(-1);
-    for (const cpu::ClosedFace& face : solids_.faces()) {
+    for (const ClosedFace& face : solids_.faces()) {
         const float thickness = solids_.thicknesses()[face.body];
         if (thickness >= static_cast<float>(farthest_))
             continue;
@@ -312,7 +312,7 @@ void SolidTables::add_loads() {
     const auto bodies = solids_.bodies();
     head_.body_count = static_cast<int>(bodies.size());
     body_starts_.assign(bodies.size() + 1, 0);
-    for (const cpu::ClosedFace& face : solids_.faces())
+    for (const ClosedFace& face : solids_.faces())
         ++body_starts_[face.body + std::size_t{1}];
     for (std::size_t n = 0; n < bodies.size(); ++n)
         body_starts_[n + 1] += body_starts_[n];
@@ -322,7 +322,7 @@ void SolidTables::add_loads() {
     const std::size_t list = words_.size();
     words_.resize(list + solids_.faces().size());
     std::int32_t number = 0;
-    for (const cpu::ClosedFace& face : solids_.faces())
+    for (const ClosedFace& face : solids_.faces())
         words_[list + static_cast<std::size_t>(body_starts_[face.body]++)] = number++;
 
     names_before_.swap(names_);

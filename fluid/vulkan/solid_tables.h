@@ -1,8 +1,8 @@
-// Obstacles as the device takes them: rasterised on the host (fluid/cpu/solids.h), then written as one table of words
+// Obstacles as the device takes them: rasterised on the host (fluid/solids/solids.h), then written as one table of words
 // (shaders/fluid/solids.glsl). They are made again only when an obstacle in reach of the box or the box itself has moved.
 #pragma once
 
-#include "fluid/cpu/solids.h"
+#include "fluid/solids/solids.h"
 #include "fluid/vulkan/blocks.h"
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class SolidTables {
     [[nodiscard]] int flags() const;
     /// Whether reads may have to be careful.
     [[nodiscard]] bool careful() const { return (flags() & (WINDROW_THIN | WINDROW_ROOMS)) != 0; }
-    [[nodiscard]] const cpu::Solids& solids() const { return solids_; }
+    [[nodiscard]] const Solids& solids() const { return solids_; }
 
     /// What the device reads: WindrowSolids, then words. The history's places are the caller's to set.
     [[nodiscard]] WindrowSolids& head() { return head_; }
@@ -61,7 +61,7 @@ class SolidTables {
     Box box_;
     bool loads_;
     int farthest_; ///< [cells] reach of a careful read that the bytes know
-    cpu::Solids solids_;
+    Solids solids_;
     WindrowSolids head_{};
     std::vector<std::int32_t> words_; ///< room for the head, then the tables
     std::vector<std::uint32_t> keys_, keys_before_;

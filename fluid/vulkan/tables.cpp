@@ -1,13 +1,11 @@
 #include "fluid/vulkan/tables.h"
 
-#include "fluid/cpu/separable_solver.h"
 
 #include <cstddef>
 
 namespace windrow::vulkan {
 namespace {
 
-using cpu::AxisBasis;
 
 // Inputs are the even part, then the odd one, each from the low end (modes.glsl). What the odd part lacks of an odd count is 0.
 int append_vectors(const AxisBasis& basis, bool forward, std::vector<float>& values) {
@@ -48,14 +46,14 @@ std::size_t SolveTables::max_floats(glm::ivec3 cells, bool diffusion) {
     return vectors + (2 * y + 2) * x * z + (diffusion ? 3 * (vectors + x + z + 3) : 0);
 }
 
-SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const cpu::ColumnRows& law) {
+SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& law) {
     const AxisBasis x(cells.x, ends[0][0], ends[0][1]), z(cells.z, ends[2][0], ends[2][1]);
     pressure = append_both(x, z, values);
-    const bool cyclic = cpu::is_cyclic(ends[1], cells.y);
+    const bool cyclic = is_cyclic(ends[1], cells.y);
     bool closed = true;
     for (const auto& axis : ends)
-        for (const cpu::EndRule end : axis)
-            closed = closed && (end == cpu::EndRule::even_at_face || end == cpu::EndRule::periodic);
+        for (const EndRule end : axis)
+            closed = closed && (end == EndRule::even_at_face || end == EndRule::periodic);
     if (closed)
         singular = z.zero_mode * cells.x + x.zero_mode;
 
@@ -72,7 +70,7 @@ SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const cpu::ColumnRo
             if (static_cast<int>(column) == singular)
                 continue;
             std::array<double, 2> factors{};
-            cpu::factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], law, pivot, vector, factors);
+            factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], law, pivot, vector, factors);
             for (std::size_t j = 0; j < rows; ++j)
                 values[pivots + j * plane + column] = static_cast<float>(pivot[j]);
             for (std::size_t j = 0; cyclic && j < rows; ++j)
@@ -91,9 +89,9 @@ void SolveTables::add_diffusion(glm::ivec3 cells, const std::array<Ends, 3>& end
         for (const AxisBasis* basis : {&x, &z})
             for (const double eigenvalue : basis->eigenvalues)
                 values.push_back(static_cast<float>(eigenvalue));
-        for (const cpu::EndRule end : of_y)
-            values.push_back(static_cast<float>(cpu::diagonal_correction(end)));
-        values.push_back(of_y[0] == cpu::EndRule::periodic ? 1.0f : 0.0f);
+        for (const EndRule end : of_y)
+            values.push_back(static_cast<float>(diagonal_correction(end)));
+        values.push_back(of_y[0] == EndRule::periodic ? 1.0f : 0.0f);
     }
 }
 

@@ -2,7 +2,7 @@
 // floats.
 #pragma once
 
-#include "fluid/cpu/separable_solver.h"
+#include "fluid/grid/columns.h"
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -11,11 +11,11 @@
 namespace windrow::vulkan {
 
 struct SolveTables {
-    using Ends = std::array<std::array<cpu::EndRule, 2>, 3>;
+    using Ends = std::array<std::array<EndRule, 2>, 3>;
 
     /// L phi = rhs with the ends given; L is the 7-point Laplacian of a box of `cells`.
     /// `rows`: empty where all are equal.
-    SolveTables(glm::ivec3 cells, const Ends& ends, const cpu::ColumnRows& rows = {});
+    SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& rows = {});
 
     std::vector<float> values;
     /// Floats that any mix of sides takes, with and without diffusion.
@@ -26,7 +26,7 @@ struct SolveTables {
     struct Vectors {
         int x_forward = 0, x_back = 0; ///< [input][output] of shaders/fluid/modes.glsl, cells to modes and back
         int z_forward = 0, z_back = 0;
-        int x_even = 0, z_even = 0; ///< even vectors (cpu::AxisBasis::even_size): the inputs of a table
+        int x_even = 0, z_even = 0; ///< even vectors (AxisBasis::even_size): the inputs of a table
     };
     Vectors pressure, diffusion[3];
     int diffusion_columns[3] = {}; ///< eigenvalues of x, of z, what both ends of y add, 1 where y is periodic

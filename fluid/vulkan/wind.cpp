@@ -1,6 +1,6 @@
 #include "fluid/vulkan/wind.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <algorithm>

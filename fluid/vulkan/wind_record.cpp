@@ -1,6 +1,6 @@
 // Recording of a frame: the host's requests since the last one, the ticks that are due, the textures, the read-back.
-#include "fluid/message.h"
-#include "fluid/replay.h"
+#include "fluid/core/message.h"
+#include "fluid/core/replay.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <cmath>

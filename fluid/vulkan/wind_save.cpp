@@ -1,8 +1,7 @@
 // Save and load of a wind on a device: the host's state at the time of a recording, the cells once its slot is done.
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/wind.h"
 #include "fluid/vulkan/wind_state.h"
-#include "fluid/wind_state.h"
 
 #include <cstring>
 #include <utility>
@@ -65,9 +64,11 @@ Result<Buffer> upload_of(Device& device, std::span<const glm::vec4> cells) {
     return made;
 }
 
-// Cells of a wind on the CPU, on their way to the device.
-Result<RestoredAir> restored(Device& device, const WindCore& core, const cpu::Cells& cells) {
+// The cells on their way to the device.
+Result<RestoredAir> restored(Device& device, LoadedWind& from) {
     RestoredAir air;
+    air.fresh = from.fresh;
+    air.undiffused_time = from.undiffused_time;
     std::string trouble;
     const auto put = [&](DeviceState state, std::span<const glm::vec4> field) {
         if (!trouble.empty())
@@ -78,24 +79,21 @@ Result<RestoredAir> restored(Device& device, const WindCore& core, const cpu::Ce
         else
             trouble = made.error();
     };
-    put(DeviceState::velocity, cells.air.velocity);
-    if (!cells.air.fresh) {
-        put(DeviceState::velocity_old, cells.air.velocity_old);
-        put(DeviceState::history, cells.air.history);
-        air.dt_old = cells.air.dt_old;
+    put(DeviceState::velocity, from.velocity);
+    if (!from.fresh) {
+        put(DeviceState::velocity_old, from.velocity_old);
+        put(DeviceState::history, from.history);
+        air.dt_old = from.dt_old;
     }
-    if (core.source_name != 0)
-        put(DeviceState::source_flow, cells.source_flow);
-    if (core.frames) {
-        put(DeviceState::before, cells.frames.before);
-        put(DeviceState::shown, cells.frames.shown.cells);
-        put(DeviceState::shown_before, cells.frames.shown_before.cells);
+    if (from.core.source_name != 0)
+        put(DeviceState::source_flow, from.source_flow);
+    if (from.core.frames) {
+        put(DeviceState::before, from.before);
+        put(DeviceState::shown, from.shown);
+        put(DeviceState::shown_before, from.shown_before);
     }
-    air.fresh = cells.air.fresh;
-    air.undiffused_time = cells.air.undiffused_time;
-    auto surface = cells.surface_history();
-    air.surface = {.keys = std::move(surface.keys), .shift = surface.shift};
-    air.terms = std::move(surface.terms);
+    air.surface = {.keys = std::move(from.surface.keys), .shift = from.surface.shift};
+    air.terms = std::move(from.surface.terms);
     if (!trouble.empty())
         return Error{"the snapshot's cells were not loaded: " + trouble};
     return air;
@@ -103,8 +101,8 @@ Result<RestoredAir> restored(Device& device, const WindCore& core, const cpu::Ce
 
 } // namespace
 
-Result<void> Wind::State::continue_from(windrow::Wind::State& from) {
-    auto air = restored(cells.air->device(), from.core, from.cells);
+Result<void> Wind::State::continue_from(LoadedWind from) {
+    auto air = restored(cells.air->device(), from);
     if (!air)
         return Error{air.error()};
     core.place = from.core.place;
@@ -114,7 +112,7 @@ Result<void> Wind::State::continue_from(windrow::Wind::State& from) {
     core.source_name = from.core.source_name;
     core.sleep = from.core.sleep;
     core.speed = from.core.speed;
-    core.speed.note_read(from.cells.air.velocity, core.ambient, core.window());
+    core.speed.note_read(from.velocity, core.ambient, core.window());
     core.frames = from.core.frames;
     // Windows name the rows of their wind, and that one ends.
     core.place.window.rows = core.rows.get();
@@ -136,8 +134,8 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
         auto wind = create(host, saved->config(), settings);
         if (!wind)
             return wind;
-        if (auto loaded = wind->state().continue_from(saved->state()); !loaded)
-            return Error{loaded.error()};
+        if (auto taken = wind->state().continue_from(windrow::loaded(*saved)); !taken)
+            return Error{taken.error()};
         return wind;
     });
 }

@@ -1,10 +1,10 @@
 // A wind whose cells are on a device, for the files that implement it.
 #pragma once
 
+#include "fluid/core/wind_core.h"
 #include "fluid/vulkan/device_cells.h"
 #include "fluid/vulkan/read_backs.h"
 #include "fluid/vulkan/wind.h"
-#include "fluid/wind_core.h"
 
 #include <optional>
 
@@ -53,7 +53,7 @@ struct WINDROW_HIDDEN Wind::State {
     void forget();
     [[nodiscard]] RecordedFrame frame_now() const;
     [[nodiscard]] Result<std::vector<std::byte>> saved();
-    [[nodiscard]] Result<void> continue_from(windrow::Wind::State& from);
+    [[nodiscard]] Result<void> continue_from(LoadedWind from);
 
   private:
     [[nodiscard]] Result<void> check(VkCommandBuffer commands, const Frame& frame) const;

@@ -2,7 +2,7 @@
 // minimised window) may go on asking, so a change that a later one undoes or extends is folded into it.
 #pragma once
 
-#include "fluid/cell_storage.h"
+#include "fluid/core/cell_storage.h"
 
 #include <vector>
 #include <vulkan/vulkan_core.h>

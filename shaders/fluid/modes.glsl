@@ -3,7 +3,7 @@
 //
 //   forward   hat[m] = sum_c E[m][c] value[c]        back   value[c] = sum_m E[m][c] hat[m]
 //
-// Where both ends of an axis are alike, its vectors are even or odd about the middle (fluid/cpu/basis.h). Pairs of cells c and
+// Where both ends of an axis are alike, its vectors are even or odd about the middle (fluid/grid/basis.h). Pairs of cells c and
 // n - 1 - c are then replaced by their sum and difference, and the products take half as many terms.
 //
 // Modes are stored as [y][mode of z][mode of x], so that neighbouring columns are contiguous for the next pass.

@@ -1,4 +1,4 @@
-// Obstacles of a sub-step, as the host has rasterised them (fluid/cpu/solids.h, fluid/vulkan/solid_tables.cpp).
+// Obstacles of a sub-step, as the host has rasterised them (fluid/solids/solids.h, fluid/vulkan/solid_tables.cpp).
 //
 // Cells at obstacles have a record. Records are in the order of the cells, and each row of x knows its first one, so that a row
 // without obstacles costs two loads. A face between two cells is closed by a fraction. Before this text: WINDROW_SOLIDS, the

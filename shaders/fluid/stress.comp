@@ -1,4 +1,4 @@
-// Turbulent stress over rough ground, one column an invocation: fluid/cpu/surface_layer.h has the method and the tables. The fourth
+// Turbulent stress over rough ground, one column an invocation: fluid/solids/surface_layer.h has the method and the tables. The fourth
 // component of `diffused` keeps what the system's second half needs.
 #version 460
 #extension GL_GOOGLE_include_directive : require

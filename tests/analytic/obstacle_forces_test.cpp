@@ -48,7 +48,7 @@ TEST(ObstacleForces, AreTheMomentumThatAProjectionTakes) {
     ASSERT_TRUE(work.set_obstacles(bodies));
     std::vector<glm::vec4> velocity = white_noise(box.cells, 5.0f, 3), gradient(velocity.size());
     project(work, velocity, gradient);
-    const cpu::Solids& solids = *work.state().solids;
+    const Solids& solids = *work.state().solids;
     for (const auto& cell : solids.inside())
         if (cell.shut)
             gradient[cell.cell] = glm::vec4(0.0f);
@@ -203,7 +203,7 @@ TEST(ObstacleForces, TurnABlock) {
         state.potential[std::size_t(k * box.cells.y + j) * std::size_t(state.pressure.pitch()) + std::size_t(i)] =
             off.x * off.y + 3.0f * off.z + 5.0f;
     });
-    const cpu::Push push = state.solid_flow().push_on(0, state.potential.data());
+    const PressurePush push = state.solid_flow().push_on(0, state.potential.data());
     // Faces at x = -4, 4 read x = -4.5, 4.5, and those at y, z likewise.
     const double y_squares = 2.0 * (0.25 + 2.25), x_squares = 2.0 * (0.25 + 2.25 + 6.25 + 12.25);
     EXPECT_NEAR(push.twist.z, 2.0 * (2.0 * 4.5 * y_squares - 2.0 * 2.5 * x_squares), 0.1);

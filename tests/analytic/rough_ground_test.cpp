@@ -1,5 +1,5 @@
 // Rough ground (Roughness): the log profile is in balance with it and comes back to it; a rougher one grows a layer.
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "tests/shapes.h"
 #include "tests/tier.h"
 #include "tests/winds.h"

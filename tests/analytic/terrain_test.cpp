@@ -1,5 +1,5 @@
 // Wind over ground (Ground, an obstacle): a ridge against its potential flow, the speed over its crest against linear theory.
-#include "fluid/pgm.h"
+#include "fluid/files/pgm.h"
 #include "tests/shapes.h"
 #include "tests/tier.h"
 #include "tests/winds.h"

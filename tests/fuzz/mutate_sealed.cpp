@@ -1,6 +1,6 @@
 // libFuzzer's mutator for snapshots and event logs: the content is changed, then length and checksum are made anew, since the
 // parser behind them would not be reached otherwise.
-#include "fluid/bytes.h"
+#include "fluid/core/bytes.h"
 #include "tests/fuzz/fuzz_target.h"
 
 #include <cstring>

@@ -1,6 +1,6 @@
 // What is recorded: as many sub-steps as the air can need, and no command that does nothing.
+#include "fluid/core/speed_bound.h"
 #include "fluid/event_log.h"
-#include "fluid/speed_bound.h"
 #include "fluid/vulkan/wind_state.h"
 #include "tests/parity/wind_parity.h"
 

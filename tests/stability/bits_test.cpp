@@ -6,7 +6,7 @@
 // The story has every kind of motor, gusts, a canopy, viscosity, uneven steps and a box that moves, as far as its boundaries
 // admit them, on a grid of whole registers and on an odd one.
 
-#include "fluid/bytes.h"
+#include "fluid/core/bytes.h"
 #include "tests/stability/watch.h"
 
 #include <cstdint>

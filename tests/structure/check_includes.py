@@ -34,6 +34,22 @@ ABOVE = {
     "cases": ("scene", "pictures", "cli", "examples", "tests"),
     "cli": ("examples", "tests"),
 }
+# Rooms of fluid/: what each may include of the others, as patterns. fluid/ itself has the headers that are installed and what
+# implements them; of cpu/ it opens the door in wind*.cpp and wind_state.h alone.
+NEUTRAL = ("fluid/core/*", "fluid/grid/*", "fluid/solids/*")
+ROOMS = {
+    "core": ("fluid/grid/*", "fluid/solids/*"),
+    "grid": (),
+    "solids": ("fluid/grid/*", "fluid/core/message.h", "fluid/core/bytes.h"),
+    "files": ("fluid/core/message.h", "fluid/core/validation.h"),
+    "cpu": NEUTRAL,
+    "vulkan": NEUTRAL,
+    "vdb": ("fluid/core/*", "fluid/files/*"),
+    "shapes": ("fluid/core/*", "fluid/solids/*"),
+}
+OPENS_CPU = ("fluid/wind*.cpp", "fluid/wind_state.h", "cases/reference/*", "tests/*")
+# Private headers of fluid/vulkan that other folders with Vulkan of their own use: its layer of devices, memory and pipelines.
+USES_DEVICES = ("cli/*", "coupling/vulkan/*", "vegetation/*", "tests/*")
 # Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
 FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
@@ -115,6 +131,19 @@ def breaches_of_include(root, file, name, public):
         yield "a public header needs GLM, the language's own library and, for the GPU, Vulkan; nothing else"
 
 
+def breaches_of_room(here, target, public):
+    """Why a file may not look into this room of fluid/: sentences."""
+    folders, rooms = here.split("/")[:-1], target.split("/")[:-1]
+    if rooms[:1] != ["fluid"] or len(rooms) == 1 or rooms[:2] == folders[:2] or folders[0] == "examples":
+        return
+    if rooms[1] == "cpu" and not matches(here, OPENS_CPU):
+        yield "fluid/cpu is closed, except to fluid/wind*.cpp and to the references in cases/"
+    elif rooms[1] == "vulkan" and target not in public and not matches(here, USES_DEVICES):
+        yield "of fluid/vulkan others see its public headers"
+    elif folders[0] == "fluid" and len(folders) > 1 and rooms[1] not in ("cpu", "shapes") and not matches(target, ROOMS[folders[1]]):
+        yield f"fluid/{folders[1]} does not know fluid/{rooms[1]}"
+
+
 def public_headers(root):
     lines = (root / "cmake" / "public_headers.txt").read_text(encoding="utf-8").splitlines()
     return {line for line in lines if line and not line.startswith("#")}
@@ -140,6 +169,8 @@ def check(root):
                       for number, line in enumerate(text.splitlines(), 1)
                       for call in MAKES_OBJECTS.findall(re.sub('"[^"]*"', "", line).split("//")[0])]
         for number, name in includes(text):
+            target = within_root(root, file, name)
+            found += [f"{here}:{number}: includes {name}: {why}" for why in breaches_of_room(here, target or name, public)]
             found += [f"{here}:{number}: includes {name}: {why}" for why in breaches_of_include(root, file, name, public)]
             if matches(name, OPENVDB) and file.match("fluid/vdb/*.cpp") and here not in openvdb_files:
                 openvdb_files.append(here)

@@ -1,8 +1,8 @@
 // The wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
 // moves nothing that is seen.
 
-#include "fluid/numerics.h"
-#include "fluid/view_place.h"
+#include "fluid/core/numerics.h"
+#include "fluid/core/view_place.h"
 #include "tests/figure.h"
 #include "tests/winds.h"
 

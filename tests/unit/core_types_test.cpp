@@ -1,9 +1,9 @@
 // The small types that a wind's core is made of: ticks, sleep, window, frames.
 
-#include "fluid/frame_history.h"
-#include "fluid/sleep.h"
-#include "fluid/tick_clock.h"
-#include "fluid/window_history.h"
+#include "fluid/core/frame_history.h"
+#include "fluid/core/sleep.h"
+#include "fluid/core/tick_clock.h"
+#include "fluid/core/window_history.h"
 
 #include <gtest/gtest.h>
 #include <vector>

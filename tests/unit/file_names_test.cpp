@@ -1,7 +1,7 @@
 // Files on every system: names with blanks and letters of all scripts, bytes that stay as they are, names that cannot be.
-#include "fluid/input_file.h"
-#include "fluid/new_file.h"
-#include "fluid/text_lines.h"
+#include "fluid/files/input_file.h"
+#include "fluid/files/new_file.h"
+#include "fluid/files/text_lines.h"
 #include "tests/own_folder.h"
 
 #include <cerrno>

@@ -1,7 +1,7 @@
 // The ambient wind by itself: its pattern, its tile, what a plant feels of it, and the cheap gust without any of that.
 
 #include "fluid/ambient.h"
-#include "fluid/ambient_numerics.h"
+#include "fluid/core/ambient_numerics.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/thread_pool.h"
 #include "tests/fields.h"
@@ -444,14 +444,14 @@ TEST(AmbientField, IsTheWindAtTheCells) {
         const Window window{cells, cell_size, CellIndex(glm::floor(origin / double(cell_size)))};
         cpu::AmbientField field(cells);
         field.fill(wind, window, {});
-        const glm::ivec3 padded = cells + cpu::k_halo;
+        const glm::ivec3 padded = cells + k_halo;
         EXPECT_GE(field.memory_bytes(), cell_count(padded) * 16);
         double worst = 0.0;
         const float* at = field.data();
         for (int k = 0; k < padded.z; ++k)
             for (int j = 0; j < padded.y; ++j)
                 for (int i = 0; i < padded.x; ++i, at += 4) {
-                    const glm::dvec3 centre = window.centre(i - cpu::k_halo_low, j - cpu::k_halo_low, k - cpu::k_halo_low);
+                    const glm::dvec3 centre = window.centre(i - k_halo_low, j - k_halo_low, k - k_halo_low);
                     worst = std::max(worst, distance({at[0], at[1], at[2]}, wind.velocity(centre)));
                     ASSERT_EQ(at[3], 0.0f);
                 }
@@ -465,7 +465,7 @@ TEST(AmbientField, DoesNotDependOnThreads) {
     cpu::AmbientField serial(window.cells), threaded(window.cells);
     serial.fill(wind, window, {});
     threaded.fill(wind, window, ThreadPool(3).parallel_for());
-    EXPECT_EQ(std::memcmp(serial.data(), threaded.data(), 16 * cell_count(window.cells + cpu::k_halo)), 0);
+    EXPECT_EQ(std::memcmp(serial.data(), threaded.data(), 16 * cell_count(window.cells + k_halo)), 0);
 }
 
 TEST(Gusts, SettingsThatMakeNoSenseAreRejected) {

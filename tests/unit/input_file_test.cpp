@@ -1,5 +1,5 @@
 // Files that are no files, and what all files of a scene may cost together.
-#include "fluid/input_file.h"
+#include "fluid/files/input_file.h"
 #include "tests/cost.h"
 #include "tests/own_folder.h"
 

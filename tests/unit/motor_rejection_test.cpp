@@ -1,7 +1,7 @@
 // Every field of every kind of motor against 0, negative values, NaN, infinities and huge ones: what is rejected says which field,
 // what value and what to do instead, all reasons at once; and leaves the list as it was.
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/motors.h"
 #include "tests/winds.h"
 

@@ -1,5 +1,5 @@
 // A file has its name only when it is complete, whoever else writes it and whoever dies meanwhile.
-#include "fluid/new_file.h"
+#include "fluid/files/new_file.h"
 #include "tests/own_folder.h"
 
 #include <cerrno>

@@ -1,8 +1,8 @@
 // Obstacles in a wind: sleep, snapshots, logs.
 
-#include "fluid/bytes.h"
-#include "fluid/cpu/solids.h"
 #include "fluid/event_log.h"
+#include "fluid/core/bytes.h"
+#include "fluid/solids/solids.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"
 #include "tests/shapes.h"
@@ -432,7 +432,7 @@ TEST(ThinBodies, AreMeasuredInTheirOwnRows) {
     box.rows = *RowTable::create(rows, box.cells.y, box.cell_size);
     ASSERT_GT(box.rows->coarsest(), 5.0f);
     const auto thin_cells = [&](float height, glm::vec3 half_size) {
-        cpu::Solids solids(box, box.cells.x);
+        Solids solids(box, box.cells.x);
         solids.place(std::array{PlacedObstacle{.shape = Block{half_size}, .position = {12.0f, height, 12.0f}}});
         solids.reach_past_thin(0.5f);
         return solids.thin().size();

@@ -1,7 +1,7 @@
 // Each figure of a step's report is its row (fluid/diagnostics.h), and the row reaches all readers: timings.csv, the console's table
 // of stages, the C struct, docs/report.md. That the C struct is filled, c_api/source/tables.h checks as it compiles.
 #include "cli/timings.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "tests/scene_schema.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Meshes and voxel grids that a scene names: what is read, how faces are cut into triangles, and what is rejected.
-#include "fluid/bytes.h"
+#include "fluid/core/bytes.h"
 #include "scene/obj_text.h"
 #include "scene/scene_reader.h"
 #include "scene/vox_file.h"

@@ -1,5 +1,5 @@
 // What a picture moves carries the air along, unasked: how much, where, and where not; and its hills stand in the air.
-#include "fluid/numerics.h"
+#include "fluid/core/numerics.h"
 #include "fluid/wind.h"
 #include "scene/scene_air.h"
 #include "scene/scene_reader.h"

@@ -1,6 +1,6 @@
 // Nothing but a whole, unchanged snapshot loads, and no bytes do harm.
 
-#include "fluid/bytes.h"
+#include "fluid/core/bytes.h"
 #include "fluid/wind_state.h"
 #include "tests/unit/snapshot_session.h"
 

@@ -1,5 +1,5 @@
 // Rough ground: which faces its stress acts at, the step of one column, and what a wind on it keeps, saves and rejects.
-#include "fluid/cpu/surface_layer.h"
+#include "fluid/solids/surface_layer.h"
 #include "tests/shapes.h"
 #include "tests/unit/snapshot_session.h"
 #include "tests/winds.h"
@@ -29,7 +29,7 @@ class SurfaceLayerFaces : public testing::Test {
   protected:
     void renew(const Roughness& roughness, std::vector<PlacedObstacle> bodies = {}) {
         const Box box{.cells = k_cells, .cell_size = k_size, .boundaries = boundaries};
-        cpu::Solids solids(box, k_cells.x);
+        Solids solids(box, k_cells.x);
         solids.place(bodies);
         layer.emplace(box, roughness);
         layer->renew(*AmbientWind::create(wind), {.cells = k_cells, .cell_size = k_size, .origin_cells = {7, 0, -3}}, boundaries,
@@ -46,7 +46,7 @@ class SurfaceLayerFaces : public testing::Test {
     static constexpr float k_size = 0.5f, k_roughness = 0.03f;
     Boundaries boundaries = Boundaries::open_over_floor();
     AmbientWind::Settings wind{.mean = {4.0f, 0.0f, 0.0f}};
-    std::optional<cpu::SurfaceLayer> layer;
+    std::optional<SurfaceLayer> layer;
 };
 
 TEST_F(SurfaceLayerFaces, OverAFloorGoByTheHeight) {

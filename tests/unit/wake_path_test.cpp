@@ -1,6 +1,6 @@
 // The path integral of a wake, as the shared text has it in float, against quadrature in double; and its sums over pieces.
 
-#include "fluid/numerics.h"
+#include "fluid/core/numerics.h"
 #include "tests/winds.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // A wake: a body that passes. It acts only while it moves, leaves no gap however fast it is, and gives the air the same
 // impulse at any frame rate. Asked of the sources stage alone, and once of the whole step.
 
-#include "fluid/numerics.h"
+#include "fluid/core/numerics.h"
 #include "tests/winds.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // Caught: a tick that is run twice or not at all, a shift that is recorded for air that is ambient anyway, air that sleeps on
 // while something acts, a call that changes the wind before it has memory for it.
 
-#include "fluid/wind_core.h"
+#include "fluid/core/wind_core.h"
 
 #include <gtest/gtest.h>
 #include <new>

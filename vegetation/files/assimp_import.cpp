@@ -1,6 +1,6 @@
 #include "vegetation/files/assimp_import.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "vegetation/fur/mesh.h"
 
 #include <assimp/BaseImporter.h>

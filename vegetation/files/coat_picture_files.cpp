@@ -1,7 +1,7 @@
 #include "vegetation/files/coat_picture_files.h"
 
-#include "fluid/input_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -8,7 +8,7 @@
 // A file is data from anywhere: its size is checked before memory is taken, and OpenImageIO decodes it from memory.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "vegetation/fur/coat_pictures.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "vegetation/files/gltf_buffers.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/files/mesh_folder.h"
 

@@ -1,7 +1,7 @@
 // The buffers of a glTF file: the binary chunk of a GLB, data in the text itself, files beside it.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>

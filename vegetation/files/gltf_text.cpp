@@ -1,6 +1,6 @@
 #include "vegetation/files/gltf_text.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "scene/json_document.h"
 #include "vegetation/files/gltf_buffers.h"
 #include "vegetation/files/mesh_file.h"

@@ -5,7 +5,7 @@
 // out. Based on: Khronos 2021, glTF 2.0 specification, sections 3.5 to 3.7 and 4.4 (GLB).
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "vegetation/files/mesh_file.h"
 
-#include "fluid/input_file.h"
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
+#include "fluid/files/input_file.h"
 #include "scene/obj_text.h"
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"

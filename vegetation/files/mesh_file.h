@@ -10,7 +10,7 @@
 // normals (mesh_normals.h), fewer triangles if asked (mesh.h), uv of a box where there are none (mesh.h), placed.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "scene/mesh_load.h"
 #include "vegetation/fur/mesh.h"
 

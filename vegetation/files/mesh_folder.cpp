@@ -1,7 +1,7 @@
 #include "vegetation/files/mesh_folder.h"
 
-#include "fluid/input_file.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 #include "vegetation/files/mesh_file.h"
 
 namespace windrow::vegetation::fur {

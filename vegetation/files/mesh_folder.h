@@ -1,7 +1,7 @@
 // The bytes of the files that a mesh's file names, none of them outside of its folder.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>

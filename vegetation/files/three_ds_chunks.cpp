@@ -1,6 +1,6 @@
 #include "vegetation/files/three_ds_chunks.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

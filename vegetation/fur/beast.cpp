@@ -1,6 +1,6 @@
 #include "vegetation/fur/beast.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "vegetation/fur/beast_form.h"
 #include "vegetation/fur/surface_nets.h"
 

@@ -1,4 +1,4 @@
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/beast_form.h"
 

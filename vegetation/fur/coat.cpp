@@ -1,6 +1,6 @@
 #include "vegetation/fur/coat.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "shader_words/coat_skin.h"
 #include "vegetation/vulkan/descriptors.h"
 

@@ -1,6 +1,6 @@
 #include "vegetation/fur/coat_pictures.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "vegetation/fur/coat_settings.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "vegetation/fur/fur_line.h"
 
-#include "fluid/text_lines.h"
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
+#include "fluid/files/text_lines.h"
 
 #include <array>
 #include <charconv>

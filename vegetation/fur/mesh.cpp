@@ -1,6 +1,6 @@
 #include "vegetation/fur/mesh.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <cmath>
 #include <glm/common.hpp>

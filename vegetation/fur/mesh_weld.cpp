@@ -1,6 +1,6 @@
 #include "vegetation/fur/mesh_weld.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <array>

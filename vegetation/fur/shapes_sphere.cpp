@@ -1,4 +1,4 @@
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "vegetation/fur/mesh_grid.h"
 #include "vegetation/fur/shapes.h"
 

@@ -1,6 +1,6 @@
 #include "vegetation/fur/skeleton.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <array>

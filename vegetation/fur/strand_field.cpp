@@ -1,6 +1,6 @@
 #include "vegetation/fur/strand_field.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 namespace windrow::vegetation::fur {
 

@@ -1,6 +1,6 @@
 #include "vegetation/fur/surface_nets.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "vegetation/fur/mesh_grid.h"
 
 #include <algorithm>

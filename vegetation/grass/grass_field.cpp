@@ -1,6 +1,6 @@
 #include "vegetation/grass/grass_field.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "shader_words/cull.h"
 #include "shader_words/generate.h"
 #include "vegetation/grass/grass_field_state.h"

@@ -1,6 +1,6 @@
 #include "vegetation/grass/grass_settings.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 namespace windrow::vegetation::grass {
 

@@ -1,6 +1,6 @@
 #include "vegetation/grass/mask_patterns.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <cmath>
 #include <glm/common.hpp>

@@ -1,6 +1,6 @@
 #include "vegetation/grass/placement_mask.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <cmath>

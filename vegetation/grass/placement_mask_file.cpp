@@ -1,7 +1,7 @@
 // The mask as a binary PGM: what every image program opens, without a library.
-#include "fluid/input_file.h"
-#include "fluid/new_file.h"
-#include "fluid/pgm.h"
+#include "fluid/files/input_file.h"
+#include "fluid/files/new_file.h"
+#include "fluid/files/pgm.h"
 #include "vegetation/grass/placement_mask.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Layers of grass, each with its class of plant, its field, its look and its mask: a picture or an even alpha, bare patches, a path,
 // and strokes upon it.
 #include "coupling/plant_classes.h"
-#include "fluid/input_file.h"
+#include "fluid/files/input_file.h"
 #include "scene/json_document.h"
 #include "vegetation/program/part_reader.h"
 

@@ -1,7 +1,7 @@
 // Reads the parts of a picture by their settings, and what they name of the scene around them: paths and files.
 #pragma once
 
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "scene/setting_reader.h"
 #include "vegetation/program/picture_scene.h"
 

@@ -1,6 +1,6 @@
 #include "vegetation/program/picture_reader.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "pictures/picture_files.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "coupling/ground_config.h"
-#include "fluid/input_budget.h"
+#include "fluid/files/input_budget.h"
 #include "scene/ground_source.h"
 #include "scene/scene.h"
 #include "scene/walker.h"

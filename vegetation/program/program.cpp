@@ -9,7 +9,7 @@
 //     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
 // Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "pictures/picture_files.h"
 #include "pictures/sheet.h"
 #include "vegetation/program/picture_reader.h"

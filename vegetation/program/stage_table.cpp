@@ -1,6 +1,6 @@
 #include "vegetation/program/stage_table.h"
 
-#include "fluid/new_file.h"
+#include "fluid/files/new_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "vegetation/render/grass_layer.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "shader_words/field_blade_frag.h"
 #include "shader_words/field_blade_shadow_vert.h"
 #include "shader_words/field_blade_vert.h"

@@ -1,7 +1,7 @@
 #include "vegetation/render/picture.h"
 
-#include "fluid/message.h"
-#include "fluid/new_file.h"
+#include "fluid/core/message.h"
+#include "fluid/files/new_file.h"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "vegetation/render/renderer.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "shader_words/full_screen_vert.h"
 #include "shader_words/sky_frag.h"
 #include "shader_words/tone_frag.h"

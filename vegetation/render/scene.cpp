@@ -1,6 +1,6 @@
 #include "vegetation/render/scene.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include "vegetation/render/wind_arrows.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "shader_words/wind_arrow_vert.h"
 #include "shader_words/wind_lattice_frag.h"
 #include "shader_words/wind_slice_vert.h"

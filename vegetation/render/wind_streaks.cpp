@@ -1,6 +1,6 @@
 #include "vegetation/render/wind_streaks.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "shader_words/solid_frag.h"
 #include "shader_words/solid_vert.h"
 #include "vegetation/render/solids.h"

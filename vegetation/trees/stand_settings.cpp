@@ -1,6 +1,6 @@
 #include "vegetation/trees/stand_settings.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "vegetation/trees/chance.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "vegetation/trees/tree_settings.h"
 
-#include "fluid/validation.h"
+#include "fluid/core/validation.h"
 #include "vegetation/trees/tree_shape.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "coupling/plant_vertex.h"
 #include "coupling/spring.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "shader_words/tree_bark_frag.h"
 #include "shader_words/tree_bark_vert.h"
 #include "shader_words/tree_leaf_frag.h"

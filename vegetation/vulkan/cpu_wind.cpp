@@ -1,6 +1,6 @@
 #include "vegetation/vulkan/cpu_wind.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <glm/common.hpp>
 #include <vulkan/vulkan.h>

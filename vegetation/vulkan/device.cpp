@@ -1,6 +1,6 @@
 #include "vegetation/vulkan/device.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/vulkan/buffer_memory.h"
 #include "vegetation/vulkan/objects.h"

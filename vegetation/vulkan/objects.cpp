@@ -1,6 +1,6 @@
 #include "vegetation/vulkan/objects.h"
 
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 #include "vegetation/vulkan/buffer_memory.h"
 
 #include <algorithm>

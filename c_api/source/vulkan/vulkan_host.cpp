@@ -2,7 +2,7 @@
 #include "c_api/vulkan_host.h"
 
 #include "c_api/source/vulkan/vulkan_tables.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <string>
 #include <vector>

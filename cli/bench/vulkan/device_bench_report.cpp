@@ -1,6 +1,6 @@
 #include "cli/bench/vulkan/device_bench.h"
 #include "cli/table.h"
-#include "fluid/message.h"
+#include "fluid/core/message.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -41,7 +41,7 @@ inline void places_in_rows(const PointTask& task, const Doubles<Lanes>& heights,
     });
 }
 
-constexpr float k_never_fades = 1e30f; // as fluid/view_place.h has it
+constexpr float k_never_fades = 1e30f; // as fluid/core/view_place.h has it
 
 // The share of an axis, with `from_low` and `from_high` in cells from the box's ends.
 template <int Lanes>

@@ -7,6 +7,7 @@
 // A velocity is four floats a cell (x, y, z, 0). "Planes" are planes of constant k, the unit of work for threads.
 #pragma once
 
+#include "fluid/grid/halo.h"
 #include "fluid/simd.h"
 
 #include <cstddef>
@@ -14,26 +15,11 @@
 
 namespace windrow::cpu {
 
-/// Halo of a padded field: cells below 0 and above n - 1 that a cubic read at a legal position can touch.
-inline constexpr int k_halo_low = 2;
-inline constexpr int k_halo_high = 3;
-inline constexpr int k_halo = k_halo_low + k_halo_high;
-
 /// Lanes of the blocks that the direct solve works in: one AVX-512 register, two of AVX2, four of SSE.
 inline constexpr int k_lanes = 16;
 
 /// Most cells of a row, as k_max_axis_cells of fluid/box.h, which a level's file must not include.
 inline constexpr int k_max_row = 2048;
-
-/// Source of a padded value: value = scale * source + offset, or the ambient wind.
-struct HaloRule {
-    int source = 0;       ///< cell index along the axis, always inside
-    bool ambient = false; ///< beyond an open boundary
-    bool identity = true; ///< inside or periodic: the source's value unchanged
-    float scale[4] = {1, 1, 1, 1};
-    float offset[4] = {0, 0, 0, 0};
-    float history_scale[4] = {1, 1, 1, 1}; ///< for the second-order history: odd along the normal, even else
-};
 
 /// Gathers `carried - s q` and `(1 + a) u - a u_old` into padded fields.
 struct PadTask {
@@ -87,12 +73,6 @@ struct AdvectTask {
     bool clamped; ///< scalars only
 };
 
-/// One end of an axis for a stencil: the ghost beyond it is scale * value[source].
-struct NormalGhost {
-    int source;
-    float scale;
-};
-
 struct DivergenceTask {
     int cells[3];
     int pitch; ///< floats from row to row of `result`
@@ -126,7 +106,7 @@ struct DiffuseTask {
     float* result;
 };
 
-/// Turbulent stress in columns (fluid/cpu/surface_layer.h).
+/// Turbulent stress in columns (fluid/solids/surface_layer.h).
 struct StressTask {
     int cells[3];
     const float* velocity; ///< u at the start

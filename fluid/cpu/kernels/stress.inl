@@ -1,4 +1,4 @@
-// Turbulent stress in the columns of a plane (fluid/cpu/surface_layer.h): tridiagonal systems along y, a register of columns at a
+// Turbulent stress in the columns of a plane (fluid/solids/surface_layer.h): tridiagonal systems along y, a register of columns at a
 // time. The cells of a register are in the order of `deal`.
 
 inline Native square_root(Native a) {

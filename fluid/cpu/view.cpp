@@ -1,0 +1,184 @@
+#include "fluid/view.h"
+
+#include "fluid/core/message.h"
+#include "fluid/core/view_place.h"
+#include "fluid/cpu/point_tasks.h"
+
+#include <algorithm>
+
+namespace windrow {
+namespace {
+
+float side_number(const Boundary& side) {
+    return side.kind == BoundaryKind::open ? 0.0f : side.kind == BoundaryKind::periodic ? 2.0f : 1.0f;
+}
+
+template <class Number>
+Result<void> write_numbers(std::span<const glm::vec4> field, std::span<Number> texels) {
+    if (texels.size() != 4 * field.size())
+        return Error{detail::message("write_vectors got room for ", texels.size(), " numbers, but the box has ", field.size(),
+                                     " cells: give one array of 4 * box().cell_count().")};
+    pack_vectors(field, texels);
+    return {};
+}
+
+template <class Texel>
+Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) {
+    for (const auto& texels : {x, y, z})
+        if (texels.size() != field.size())
+            return Error{detail::message("write_axes got room for ", texels.size(), " texels, but the box has ", field.size(),
+                                         " cells: give three arrays of box().cell_count().")};
+    extract_axis(field, 0, x);
+    extract_axis(field, 1, y);
+    extract_axis(field, 2, z);
+    return {};
+}
+
+// What is off stays unset: a single point pays for each line.
+cpu::PointTask point_task(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
+                          std::span<const glm::vec4> field) {
+    cpu::PointTask task;
+    const Boundaries& b = box.boundaries;
+    const Boundary* const sides[3][2] = {{&b.x_low, &b.x_high}, {&b.y_low, &b.y_high}, {&b.z_low, &b.z_high}};
+    task.per_cell = 1.0 / static_cast<double>(box.cell_size);
+    task.field = field.empty() ? nullptr : &field.data()->x;
+    for (int axis = 0; axis < 3; ++axis) {
+        cpu::PointAxis& to = task.axis[axis];
+        to.cells = box.cells[axis];
+        to.low_kind = side_number(*sides[axis][0]);
+        to.high_kind = side_number(*sides[axis][1]);
+        to.origin = static_cast<double>(window.origin_cells[axis]);
+        to.reach = blend_zone.reach[axis];
+        if (to.reach > 0.0f) {
+            to.per_width = 1.0f / blend_zone.width;
+            to.point = blend_zone.point[axis] * task.per_cell;
+        }
+        if (sides[axis][0]->kind == BoundaryKind::periodic)
+            to.period = cpu::period_of(box.cells[axis]);
+    }
+    task.rows = 0;
+    if (box.rows) {
+        task.row_heights = box.rows->heights().data();
+        task.rows = box.rows->count();
+        task.bottom = window.origin().y;
+        task.top = box.rows->top();
+    }
+    cpu::set_ambient(task.ambient, ambient);
+    return task;
+}
+
+cpu::PointPlace of_kernels(const detail::ViewPlace& place) {
+    cpu::PointPlace to{};
+    for (int axis = 0; axis < 3; ++axis) {
+        to.low[axis] = place.low[axis];
+        to.high[axis] = place.high[axis];
+        to.between[axis] = place.between[axis];
+        to.ambient[axis] = place.ambient[axis];
+    }
+    to.share = place.fraction;
+    return to;
+}
+
+// A list in parts that stay in the first cache between the wind and what it does to a plant.
+constexpr std::size_t k_part = 512;
+
+// Velocities are of three floats or of four.
+template <class Velocity>
+void sample(const cpu::Kernels& kernels, const cpu::PointTask& task, const cpu::FeltTask* felt,
+            std::span<const glm::dvec3> positions, std::span<Velocity> velocities) {
+    const std::size_t count = std::min(positions.size(), velocities.size());
+    for (std::size_t first = 0; first < count; first += k_part) {
+        const std::size_t size = std::min(k_part, count - first);
+        const double* const points = &positions[first].x;
+        float* const out = &velocities[first].x;
+        kernels.sample_points(task, points, size, Velocity::length(), out);
+        if (felt != nullptr)
+            kernels.feel(*felt, points, size, Velocity::length(), out);
+    }
+}
+
+} // namespace
+
+detail::ViewPlace detail::place_in(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
+                                   glm::dvec3 position) {
+    cpu::PointPlace found{};
+    cpu::kernels_for(Simd::best)->place_point(point_task(box, window, blend_zone, ambient, {}), &position.x, found);
+    ViewPlace place{.fraction = found.share};
+    for (int axis = 0; axis < 3; ++axis) {
+        place.low[axis] = found.low[axis];
+        place.high[axis] = found.high[axis];
+        place.between[axis] = found.between[axis];
+        place.ambient[axis] = found.ambient[axis];
+    }
+    return place;
+}
+
+glm::vec3 detail::blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners) {
+    glm::vec4 wind;
+    cpu::kernels_for(Simd::best)->blend_corners(&corners.front().x, of_kernels(place), &wind.x);
+    return wind;
+}
+
+glm::vec3 WindView::velocity(glm::dvec3 position) const {
+    glm::vec3 wind;
+    velocity(std::span(&position, 1), std::span(&wind, 1));
+    return wind;
+}
+void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
+}
+void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec4> velocities) const {
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
+}
+
+glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
+    glm::vec3 wind;
+    felt(std::span(&position, 1), sampling, std::span(&wind, 1));
+    return wind;
+}
+void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
+    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
+}
+void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
+    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
+}
+
+Result<void> WindView::write_vectors(std::span<float> texels) const {
+    return write_numbers(field_, texels);
+}
+Result<void> WindView::write_vectors(std::span<std::uint16_t> texels) const {
+    return write_numbers(field_, texels);
+}
+Result<void> WindView::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
+    return write_texels(field_, x, y, z);
+}
+Result<void> WindView::write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
+    return write_texels(field_, x, y, z);
+}
+
+WindowBlock WindView::block(glm::dvec3 anchor) const {
+    anchor = detail::usable_anchor(anchor);
+    const float h = box_->cell_size;
+    WindowBlock block;
+    block.origin = glm::vec3(origin() - anchor);
+    block.cell_size = h;
+    block.cells = glm::vec3(box_->cells);
+    block.rows = box_->rows ? block.cells.y : 0.0f;
+    block.height = box_->size().y;
+    block.factor = 1.0f;
+    block.previous_origin = block.origin;
+    block.ambient = ambient_->mean();
+    for (int axis = 0; axis < 3; ++axis) {
+        block.low_boundaries[axis] = side_number(box_->boundaries.at(axis, 0));
+        block.high_boundaries[axis] = side_number(box_->boundaries.at(axis, 1));
+    }
+    block.blend_centre = glm::vec3(blend_zone_.point - anchor);
+    block.blend_width = blend_zone_.width * h;
+    block.blend_reach = blend_zone_.reach * h;
+    block.previous_blend_centre = block.blend_centre;
+    return block;
+}
+
+} // namespace windrow

@@ -1,0 +1,42 @@
+// Which parts of a mesh's box are inside and which outside, on a grid: a point far from the surface needs no winding number.
+//
+// A cell that no triangle meets is wholly inside or wholly outside, as are all such cells that touch by a face.
+#pragma once
+
+#include "fluid/solids/mesh_tree.h"
+
+namespace windrow::detail {
+
+class MeshSigns {
+  public:
+    /// Throws std::bad_alloc.
+    MeshSigns(const MeshData& data, const MeshTree& tree, glm::vec3 low, glm::vec3 high);
+
+    /// Whether a point is inside.
+    [[nodiscard]] bool inside(glm::vec3 point, const MeshTree& tree) const;
+
+    [[nodiscard]] std::size_t memory_bytes() const { return cells_.capacity() * sizeof(Sign); }
+
+  private:
+    enum class Sign : std::uint8_t { unknown, near, outside, inside };
+
+    void mark_near(const MeshData& data);
+    void fill(std::size_t first, Sign sign, std::vector<std::size_t>& open);
+    [[nodiscard]] std::size_t index(glm::ivec3 cell) const {
+        return (static_cast<std::size_t>(cell.z) * count_.y + cell.y) * count_.x + cell.x;
+    }
+    [[nodiscard]] glm::ivec3 place_of(std::size_t cell) const;
+    [[nodiscard]] glm::ivec3 cell_of(glm::vec3 point) const;
+
+    glm::vec3 low_, high_;
+    float width_; ///< [m] of a cell
+    glm::ivec3 count_;
+    std::vector<Sign> cells_;
+};
+
+/// Whether a winding number is one of an inside.
+[[nodiscard]] inline bool winds_around(double winding_number) {
+    return winding_number > 0.5 || winding_number < -0.5;
+}
+
+} // namespace windrow::detail

@@ -1,0 +1,320 @@
+// Obstacles in the cells of a box.
+//
+// A face between two cells is closed by a fraction c of its area, 1 - c is open. Face fluxes of the projection are
+// (1 - c) (u_low + u_high) / 2 + c U, with the body's own velocity U across the face. The pressure's operator is
+//
+//   A = L - B,   (B phi)(cell) = sum over its faces of c (phi(neighbour) - phi(cell))
+//
+// L the 7-point Laplacian of the empty box. In rows of unequal thickness what passes a face across y is over the thickness of the
+// cell's row, and a slope of the operator there over the distance between the rows. The gradient is the adjoint of the divergence: half of each open face's slope. A cell
+// whose faces are all closed is shut. Faces between two shut cells count as open: they couple cells without any flow.
+//
+// Surface cells are those with a closed face. All work of a step runs over sorted lists of faces and cells: it is the same for
+// any number of threads.
+//
+// Air that no open face joins to the rest is a closed room: no wind blows there. A body between a room and the other air closes
+// whole faces on the room's side, since a wall cell that is open in part on both sides would join them.
+//
+// A body is drawn once: its closed faces and inside cells, in cells of the world's lattice. A drawing is kept while the body rests
+// there, so a box that moves reads lists and computes no distance, except those of bodies that come into reach.
+#pragma once
+
+#include "fluid/allocator.h"
+#include "fluid/api.h"
+#include "fluid/box.h"
+#include "fluid/obstacle.h"
+#include "fluid/parallel.h"
+
+#include <cstdint>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
+#include <span>
+#include <vector>
+
+namespace windrow {
+
+namespace detail {
+/// Room for `count`, or for twice as many where a list has less. Lists of bodies that move vary in length: they grow once.
+template <class List>
+void make_room(List& list, std::size_t count) {
+    if (list.capacity() < count)
+        list.reserve(2 * count);
+}
+} // namespace detail
+
+using detail::PlacedObstacle;
+
+/// A closed face, between a cell and its high neighbour along an axis.
+struct ClosedFace {
+    std::uint32_t cell[2] = {};      ///< low and high, indices in fields
+    std::uint32_t potential[2] = {}; ///< the same in the direct solve's rows
+    std::uint32_t surface[2] = {};   ///< the same among the surface cells
+    float closed = 0.0f;             ///< fraction
+    float wall = 0.0f;               ///< [m/s] closed times the body's own velocity along the axis
+    std::uint16_t body = 0;
+    std::uint16_t place[3] = {}; ///< of the low cell, in the box
+    std::uint8_t axis = 0;
+    bool shut[2] = {}; ///< of the cells
+};
+
+class Solids {
+  public:
+    /// A cell with a closed face.
+    struct SurfaceCell {
+        std::uint32_t cell = 0, potential = 0;
+        float volume = 1.0f; ///< of the cell, in cubes of its size
+        bool shut = false;   ///< no open face
+        bool edge = false;   ///< at a boundary of the box
+    };
+    /// A cell whose centre is inside a body.
+    struct InsideCell {
+        std::uint32_t cell = 0, potential = 0;
+        glm::ivec3 place{0};
+        std::uint16_t body = 0;
+        bool shut = false;
+        std::uint32_t drawn = 0; ///< number in the body's drawing
+    };
+    /// A cell inside a body that a cubic read from outside reaches: its value is the mean of what `count` cells nearer to the air
+    /// give.
+    struct Ghost {
+        std::uint32_t cell = 0, first = 0, count = 0;
+    };
+    /// A cell beside a ghost. From the air into a body the velocity along the surface stays, and that along its normal is the
+    /// body's own: u + ((U - u) n) n. With the air's own velocity there, air that leaves a wall reads itself and grows without
+    /// bound. With the normals of the cells' faces, air that flows along a slope loses speed at each stair. A mirror,
+    /// U + (U - u) beyond the surface, takes a part of the pressure's work on a body that starts: 10 % of its added mass.
+    struct GhostSource {
+        std::uint32_t cell = 0;
+        glm::vec3 normal{0.0f}; ///< out of the surface; 0 beyond the first layer
+        float wall = 0.0f;      ///< [m/s] U n
+        [[nodiscard]] glm::vec3 slipping(glm::vec3 u, float across) const { return u + (across - glm::dot(u, normal)) * normal; }
+    };
+
+    WINDROW_INTERNAL Solids(const Box& box, int pitch);
+    [[nodiscard]] const Boundaries& boundaries() const { return box_.boundaries; }
+
+    /// Replaces all obstacles. `shift`: cells by which the box has moved since the last call.
+    WINDROW_INTERNAL void place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
+    [[nodiscard]] bool any() const { return !faces_.empty() || !inside_.empty(); }
+
+    [[nodiscard]] std::span<const ClosedFace> faces() const { return faces_; }
+    [[nodiscard]] std::span<const SurfaceCell> surface() const { return surface_; }
+    [[nodiscard]] std::span<const InsideCell> inside() const { return inside_; }
+    /// Ghosts by layers: those of a layer read the air and the layers before it. Three layers from the air outside of closed rooms,
+    /// then three from that of the rooms, if there are any.
+    [[nodiscard]] std::span<const Ghost> ghosts() const { return ghosts_; }
+    [[nodiscard]] std::span<const GhostSource> ghost_sources() const { return ghost_sources_; }
+    [[nodiscard]] std::span<const std::uint32_t> layer_ends() const { return layer_ends_; }
+    [[nodiscard]] std::span<const PlacedObstacle> bodies() const { return bodies_; }
+
+    /// Cells of air in closed rooms: room n ends before room_ends()[n], with its cells in order.
+    [[nodiscard]] std::span<const std::uint32_t> rooms() const { return rooms_; }
+    [[nodiscard]] std::span<const std::uint32_t> room_ends() const { return room_ends_; }
+    [[nodiscard]] bool in_room(std::uint32_t cell) const { return layers_[cell] == k_room; }
+    /// The same cells, and those inside of bodies that only the air of rooms reaches: no prescribed wind is part of their velocity.
+    [[nodiscard]] std::span<const std::uint32_t> sheltered() const { return sheltered_; }
+    [[nodiscard]] bool is_sheltered(std::uint32_t cell) const { return layers_[cell] > k_ghost_layers; }
+
+    /// Air cells outside of closed rooms from which a read or a trajectory may pass through a thin body.
+    [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
+    [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
+    /// [cells] Thickness of the thinnest body.
+    [[nodiscard]] float thinnest() const { return thinnest_; }
+    /// [cells] By body, in the coarsest row that it is in: a read from its one side that reaches as far is on its other.
+    [[nodiscard]] std::span<const float> thicknesses() const { return thicknesses_; }
+    /// Makes the list of them hold for trajectories of so many cells and a cubic read.
+    void reach_past_thin(float cells);
+
+    /// Whether the face from a cell to its high neighbour along an axis is more closed than open, and whether a cell is inside.
+    [[nodiscard]] bool blocked(std::uint32_t cell, int axis) const { return (flags_[cell] >> axis & 1) != 0; }
+    /// Whether one of `count` cells along x has a blocked face.
+    [[nodiscard]] bool any_blocked(std::uint32_t cell, int count) const {
+        constexpr std::uint8_t k_blocked = 7;
+        std::uint8_t any = 0;
+        for (int i = 0; i < count; ++i)
+            any |= flags_[cell + static_cast<std::uint32_t>(i)];
+        return (any & k_blocked) != 0;
+    }
+    [[nodiscard]] bool inside(std::uint32_t cell) const { return (flags_[cell] & k_inside) != 0; }
+    /// No obstacle is in a cell or closes a face of it.
+    [[nodiscard]] bool untouched(std::uint32_t cell) const { return flags_[cell] == 0; }
+    /// The body that an inside cell is in.
+    [[nodiscard]] std::size_t body_in(std::uint32_t cell) const { return body_of_[cell]; }
+    /// [cells] Of a cell's centre over the surface of a body: the distance, above a ground the height.
+    [[nodiscard]] float height_over(std::size_t body, glm::ivec3 cell) const;
+    /// The face from a cell to its high neighbour; null: open.
+    [[nodiscard]] const ClosedFace* face(std::uint32_t low_cell, int axis) const {
+        const std::uint32_t n = face_of_[3 * static_cast<std::size_t>(low_cell) + static_cast<std::size_t>(axis)];
+        return n == k_none ? nullptr : &faces_[n];
+    }
+
+    /// Whether a wall beside a cell moves across its face.
+    [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
+
+    /// Names of the closed faces: 4 times the low cell, plus the axis; sorted, as the faces are.
+    WINDROW_INTERNAL void name_faces(std::vector<std::uint32_t>& names) const;
+    /// Which of the faces with the names `before`, of another placement, each face was; -1: none. `shift`: cells by which the box has
+    /// moved since. Of a moving body that closes a new face none was there: the step gives the air that it meets an impulse, to which
+    /// the pressure of the last step is no guide.
+    WINDROW_INTERNAL void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift,
+                                       std::vector<std::int32_t>& origins);
+
+    [[nodiscard]] WINDROW_INTERNAL glm::ivec3 place_of(std::uint32_t cell) const;
+    /// The neighbour toward the low end of an axis; false where there is none.
+    [[nodiscard]] WINDROW_INTERNAL bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
+    /// Whether the box has taken in a cell, or what is beside it, as it moved by `shift`.
+    [[nodiscard]] WINDROW_INTERNAL bool came_in(std::uint32_t cell, glm::ivec3 shift) const;
+    /// Bodies that were drawn, not taken from the last call, by the last call.
+    [[nodiscard]] int drawn() const { return drawn_; }
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+  private:
+    /// Flags of a cell beside its three blocked faces; k_low: it is the low cell of a closed face.
+    static constexpr std::uint8_t k_inside = 8, k_shut = 16, k_thin = 32, k_low = 64, k_surface = 128;
+    static constexpr std::uint32_t k_none = ~std::uint32_t{0};
+    static constexpr int k_ghost_layers = 3;
+    static constexpr std::uint8_t k_room = 255;     ///< in `layers_`: air of a closed room
+    static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
+
+    /// Air cells in a row of x, from `first` to before `end`, that open faces join.
+    struct Run {
+        std::uint32_t first, end;
+        std::uint32_t root; ///< a run that it is joined to
+    };
+
+    /// The cells of one body; positions are cells of the box, of now.
+    struct Drawing {
+        struct Face {
+            glm::ivec3 cell;
+            int axis;
+            float closed, wall;
+        };
+        /// Toward a neighbour outside of the body: 2 axis, plus 1 for the high one.
+        struct Side {
+            std::uint32_t direction;
+            glm::vec3 normal; ///< as a GhostSource's
+            float wall;
+        };
+        struct Inside {
+            glm::ivec3 cell;
+            std::uint32_t first_side, sides; ///< of the drawing's
+        };
+        PlacedObstacle body;
+        glm::ivec3 low{0}, high{0}; ///< cells drawn: all that the body reaches within the box and some beyond
+        detail::HostVector<Face> faces;
+        detail::HostVector<Inside> inside;
+        detail::HostVector<Side> sides;
+    };
+
+    struct Reach {
+        glm::ivec3 low, high; ///< cells low <= cell < high
+        [[nodiscard]] bool holds(glm::ivec3 cell) const {
+            return glm::all(glm::greaterThanEqual(cell, low)) && glm::all(glm::lessThan(cell, high));
+        }
+        [[nodiscard]] std::size_t count() const {
+            const glm::uvec3 size = glm::max(high - low, 0);
+            return static_cast<std::size_t>(size.x) * size.y * size.z;
+        }
+        [[nodiscard]] std::size_t index(glm::ivec3 cell) const {
+            const glm::ivec3 from = cell - low, size = high - low;
+            return (static_cast<std::size_t>(from.z) * size.y + from.y) * size.x + from.x;
+        }
+        template <class Visit>
+        void for_each(const Visit& visit) const;
+    };
+    struct View;
+    [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
+    [[nodiscard]] bool still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const;
+    /// Swaps them; `before` is free then: its position is NaN.
+    static void take(Drawing& drawing, Drawing& before);
+    void take_room(Drawing& drawing, const PlacedObstacle& body);
+    void draw(Drawing& drawing);
+    /// `offset`: cells from the body to its image.
+    void draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset);
+    void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away);
+    void measure(const View& view, const Reach& reach, const Reach& corners);
+    void measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners);
+    void gather_faces();
+    [[nodiscard]] ClosedFace& gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uint16_t body);
+    [[nodiscard]] bool at_open_end(glm::ivec3 cell) const;
+    void close_at_open_ends();
+    void sort_faces();
+    void layer_inside(bool of_rooms);
+    void find_rooms();
+    void close_rooms();
+    void make_room_for_motion();
+    void find_shut_cells();
+    void collect_surface();
+    void collect_ghosts();
+    void find_thicknesses();
+    void collect_thin();
+    /// Of an inside cell toward a neighbour outside of its body; null where there is none.
+    [[nodiscard]] const Drawing::Side* side_of(const InsideCell& cell, int direction) const;
+    [[nodiscard]] bool neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) const;
+    [[nodiscard]] std::uint32_t index(glm::ivec3 cell) const;
+    [[nodiscard]] std::uint32_t potential_of(glm::ivec3 cell) const;
+    /// visit(cell, place) for each cell with one of the flags, in order.
+    template <class Visit>
+    void for_each_flagged(std::uint8_t flags, const Visit& visit) const;
+    /// visit(neighbour, axis, low cell of the face between) for each neighbour of a cell.
+    template <class Visit>
+    void for_each_neighbour(const InsideCell& cell, const Visit& visit) const;
+
+    Box box_;
+    int pitch_;
+    int drawn_ = 0;
+    float thinnest_ = k_farthest_thin; ///< [cells] thickness of the thinnest body
+    int reach_ = 3;                    ///< [cells] from a cell to the farthest that its read may take
+    std::vector<PlacedObstacle> bodies_;
+    std::vector<Drawing> drawings_, drawings_before_; ///< one a body, in their order; those behind keep their room
+    std::vector<float> thicknesses_;                  ///< [cells] of each body
+    std::vector<std::uint8_t> closes_new_;            ///< scratch of find_origins: whether each body does
+    detail::HostVector<ClosedFace> faces_;
+    detail::HostVector<SurfaceCell> surface_;
+    detail::HostVector<InsideCell> inside_;
+    detail::HostVector<Ghost> ghosts_;
+    detail::HostVector<GhostSource> ghost_sources_;
+    detail::HostVector<std::uint32_t> layer_ends_, thin_, rooms_, room_ends_, sheltered_;
+    detail::HostVector<InsideCell> layered_;                  ///< the ghosts' cells
+    detail::HostVector<Run> runs_;                            ///< scratch
+    detail::HostVector<std::uint32_t> row_runs_, part_sizes_; ///< scratch: first run of each row; cells of each part of the air
+    detail::HostVector<ClosedFace> unsorted_;
+    detail::HostVector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
+    detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw
+    detail::HostVector<Drawing::Inside> drawn_inside_; ///< scratch of draw
+    detail::HostVector<Drawing::Side> drawn_sides_;    ///< scratch of draw
+    detail::HostVector<std::uint8_t> flags_;           ///< one a cell
+    detail::HostVector<std::uint16_t> body_of_;        ///< one a cell: body that an inside cell is in
+    detail::HostVector<std::uint32_t> drawn_of_;       ///< one a cell: number of an inside cell in that body's drawing
+    detail::HostVector<std::uint32_t> surface_of_;     ///< one a cell: number of a surface cell
+    detail::HostVector<std::uint8_t> layers_;          ///< one a cell: layer of a ghost, or k_room
+    detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
+    detail::HostVector<float> distances_,
+        depths_;                        ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
+    detail::HostVector<float> heights_; ///< scratch: of a ground's columns
+};
+
+template <class Visit>
+void Solids::for_each_neighbour(const InsideCell& cell, const Visit& visit) const {
+    const std::uint32_t strides[3] = {1, static_cast<std::uint32_t>(box_.cells.x),
+                                      static_cast<std::uint32_t>(box_.cells.x * box_.cells.y)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1}) {
+            std::uint32_t other = 0;
+            const int at = cell.place[axis] + side;
+            if (at >= 0 && at < box_.cells[axis]) {
+                other = side < 0 ? cell.cell - strides[axis] : cell.cell + strides[axis];
+            } else {
+                glm::ivec3 next;
+                if (!neighbour(cell.place, axis, side, next))
+                    continue;
+                other = index(next);
+            }
+            visit(other, axis, side < 0 ? other : cell.cell);
+        }
+}
+
+} // namespace windrow
