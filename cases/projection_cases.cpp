@@ -87,7 +87,7 @@ VerifyRow solenoidal(const VerifySetting& setting, int size) {
             .bound = 1.001 * root_square(taken) / root_square(k_solenoidal) + 1e-6};
 }
 
-VerifyRow on_grid(const VerifySetting& setting, int size) {
+VerifyRow projected_on_grid(const VerifySetting& setting, int size) {
     VerifyRow row{.cells = glm::ivec3(size), .bound = 1.5e-6};
     for (const PlaneWaves& waves : {k_gradients, k_solenoidal})
         row.error = worse(row.error,
@@ -121,7 +121,7 @@ std::vector<VerifyCase> projection_cases() {
          .source = source,
          .reason = "a direct solve is exact up to rounding: 7.5e-7 is measured, twice as much is admitted",
          .sizes = {32, 64, 128},
-         .run = on_grid}};
+         .run = projected_on_grid}};
 }
 
 } // namespace windrow::cases

@@ -13,7 +13,7 @@ using detail::message;
 using scene::figure;
 
 constexpr std::int64_t k_largest_number = 1'000'000'000;
-constexpr double k_longest = 1e6; // [s] of a scene
+constexpr double k_longest_film = 1e6; // [s] of a scene
 
 // 24, 23.976, 24000/1001
 double read_frame_rate(const std::string& text) {
@@ -30,8 +30,8 @@ double read_frame_rate(const std::string& text) {
 Flags::Read read_time(const char* flag, std::optional<double>& time) {
     return [flag, &time](const std::string& text) {
         const auto number = scene::parse_number(text);
-        if (!number || !(*number >= 0.0 && *number <= k_longest))
-            reject(flag, " is ", shown(text), ": give a time from 0 to ", figure(k_longest), " s.");
+        if (!number || !(*number >= 0.0 && *number <= k_longest_film))
+            reject(flag, " is ", shown(text), ": give a time from 0 to ", figure(k_longest_film), " s.");
         time = *number;
     };
 }

@@ -130,7 +130,8 @@ GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) 
     GroundPlaceBlock block;
     block.corner = glm::vec4(corner.x, corner.y, size, config_.texels);
     // The point is within half a texel of the window's middle, and the outermost centres are half a texel within its edge.
-    block.blend_zone = glm::vec4(point.x, point.y, (config_.texels / 2 - 1) * size, config_.blend_width);
+    const int reach = config_.texels / 2 - 1;
+    block.blend_zone = glm::vec4(point.x, point.y, reach * size, config_.blend_width);
     block.slot = glm::vec4(slot.x, slot.y, place.lean.x, place.lean.y);
     return block;
 }

@@ -48,8 +48,9 @@ class Circle {
   public:
     Circle() {
         for (int n = 0; n < k_turn; ++n) {
-            const int quarter = (n + k_turn / 8) / (k_turn / 4); // nearest axis
-            const double angle = 2.0 * std::numbers::pi * (n - quarter * (k_turn / 4)) / k_turn;
+            constexpr int k_quarter = k_turn / 4;
+            const int axis = (n + k_turn / 8) / k_quarter; // the nearest one
+            const double angle = 2.0 * std::numbers::pi * (n - axis * k_quarter) / k_turn;
             double cosine = 0.0, sine = 0.0;
             for (int order = 18; order >= 0; order -= 2) { // Horner: sum of angle^order / order! with alternating signs
                 cosine = 1.0 - cosine * angle * angle / ((order + 1) * (order + 2));
@@ -57,7 +58,7 @@ class Circle {
             }
             sine *= angle;
             const std::array<Complex, 4> turned{Complex{cosine, sine}, {-sine, cosine}, {-cosine, -sine}, {sine, -cosine}};
-            table_[static_cast<std::size_t>(n)] = turned[static_cast<std::size_t>(quarter & 3)];
+            table_[static_cast<std::size_t>(n)] = turned[static_cast<std::size_t>(axis & 3)];
         }
     }
     [[nodiscard]] Complex operator()(int turns) const { return table_[static_cast<std::size_t>(turns & (k_turn - 1))]; }

@@ -80,7 +80,7 @@ class WINDROW_API Motors {
     void record_to(EventLog* log) { log_ = log; }
 
   private:
-    friend struct StateFields; // snapshot.cpp: bytes and back
+    friend struct StateFields; // wind_snapshot.cpp: bytes and back
 
     void start(Slot& slot, const Motor& motor);
     /// Room for what a tick of all motors returns, and of `more` (null: none). Changes nothing that the air feels.

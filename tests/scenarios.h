@@ -23,6 +23,7 @@ struct Scenario {
     /// Before step n, from 0.
     std::function<void(WindControl&, int)> step{};
     int steps = 100;
+    bool late = false; ///< what it is for comes after more than 40 steps
     /// Two winds that start one rounding apart part by more than 1e-6 in 12 steps.
     bool chaotic = false;
 };
@@ -211,7 +212,8 @@ inline std::vector<Scenario> scenarios() {
                     .begin =
                         [](WindControl& wind) {
                             must(wind.motors().add(DirectionalMotor{.envelope = {.attack = 0.0f, .hold = 0.3f, .decay = 0.1f}}));
-                        }});
+                        },
+                    .late = true});
     return rows;
 }
 

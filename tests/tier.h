@@ -21,9 +21,9 @@ inline constexpr bool k_sanitized = false;
     return tier != nullptr && std::string_view(tier) == "all";
 }
 
-/// Of `count` steps or samples: all of them, a quarter, or a twentieth; at least `least`, or all where there are fewer.
+/// Of `count` steps or samples: all of them, an eighth, or a twentieth; at least `least`, or all where there are fewer.
 [[nodiscard]] inline int sampled(int count, int least) {
-    const int part = k_sanitized ? count / 20 : whole_sweeps() ? count : count / 4;
+    const int part = k_sanitized ? count / 20 : whole_sweeps() ? count : count / 8;
     return std::max(std::min(count, least), part);
 }
 

@@ -21,8 +21,9 @@
 
 namespace windrow::test {
 
+using std::numbers::pi;
+
 inline constexpr float k_nan = std::numeric_limits<float>::quiet_NaN(), k_infinity = std::numeric_limits<float>::infinity();
-inline constexpr double k_pi = std::numbers::pi;
 inline constexpr Stages k_no_stages{
     .sources = false, .relaxation = false, .diffusion = false, .advection = false, .projection = false};
 inline constexpr Stages k_sources_only{

@@ -20,7 +20,7 @@ namespace {
 using namespace cases;
 using detail::message;
 
-constexpr double k_warm_fraction = 0.3;
+constexpr double k_step_warm_fraction = 0.3;
 constexpr int k_many_substeps = 8;
 constexpr glm::ivec3 k_largest_grid{256, 128, 256}; // behind k_bench_grids, where memory allows
 constexpr double k_heap_fraction = 0.8;             // of the device's memory, that the winds of a grid may take
@@ -87,8 +87,8 @@ class GridTimes {
         if (auto added = add_all(*contest); !added)
             return Error{added.error()};
         const double before = run_.clock.past();
-        const auto held =
-            contest->hold({.seconds = seconds, .warm_seconds = k_warm_fraction * seconds}, [&] { return run_.clock.stopped(); });
+        const auto held = contest->hold({.seconds = seconds, .warm_seconds = k_step_warm_fraction * seconds},
+                                        [&] { return run_.clock.stopped(); });
         if (!held)
             return Error{held.error()};
         if (*held == DeviceContest::End::stopped)
@@ -334,7 +334,7 @@ Result<void> report_times(SectionRun& run) {
         const auto which = recordings_of(run, grids[n], of_cell);
         if (!which)
             continue;
-        const double seconds = run.clock.left() / (1.0 + k_warm_fraction) / static_cast<double>(grids.size() - n);
+        const double seconds = run.clock.left() / (1.0 + k_step_warm_fraction) / static_cast<double>(grids.size() - n);
         const auto round = GridTimes(run, grids[n], *which).measure(seconds);
         if (!round)
             return Error{round.error()};

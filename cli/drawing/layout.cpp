@@ -11,12 +11,12 @@ constexpr double k_ordinary_width = 1600.0;
 // Smaller pictures get fewer page units, not smaller letters, down to what the legend needs.
 constexpr double k_smallest_unit = 0.72;
 
-constexpr double k_margin = 34.0;
+constexpr double k_panel_margin = 34.0;
 constexpr double k_header = 84.0;
-constexpr double k_caption = 30.0; // above a panel
+constexpr double k_panel_caption = 30.0; // above a panel
 constexpr double k_axis_left = 62.0;
 constexpr double k_axis_below = 58.0;
-constexpr double k_gap = 30.0;
+constexpr double k_panel_gap = 30.0;
 constexpr double k_legend_column = 392.0;
 constexpr double k_narrowest_column = 250.0; // room for a caption above a narrow panel
 constexpr double k_narrowest_legend = 330.0;
@@ -44,13 +44,15 @@ struct Paper {
     double tallest = 0.0;
 
     /// Height left for slices beside `fixed` page units of other things.
-    [[nodiscard]] double height_without(double fixed) const { return std::max(tallest - k_header - k_margin - fixed, 150.0); }
-    [[nodiscard]] double right() const { return width - k_margin; }
+    [[nodiscard]] double height_without(double fixed) const {
+        return std::max(tallest - k_header - k_panel_margin - fixed, 150.0);
+    }
+    [[nodiscard]] double right() const { return width - k_panel_margin; }
 };
 
-constexpr double k_left = k_margin + k_axis_left;
-constexpr double k_top = k_header + k_caption;
-constexpr double k_per_panel = k_caption + k_axis_below; // above and below a slice
+constexpr double k_left = k_panel_margin + k_axis_left;
+constexpr double k_top = k_header + k_panel_caption;
+constexpr double k_per_panel = k_panel_caption + k_axis_below; // above and below a slice
 
 double length(double metres, double scale) {
     return std::max(metres * scale, k_thinnest_panel);
@@ -65,23 +67,23 @@ void size_panels(Plan& plan, const Paper& paper, double scale) {
 
 /// Level and upright slice beside each other; the legend below the upright one, or below both.
 Plan beside(const Paper& paper, bool legend_across) {
-    const double column = 0.5 * (paper.inner - k_gap);
-    const double needed = k_gap + legend_height(legend_across ? paper.inner : column);
+    const double column = 0.5 * (paper.inner - k_panel_gap);
+    const double needed = k_panel_gap + legend_height(legend_across ? paper.inner : column);
     const double by_width = (column - k_axis_left) / paper.extent.x;
     Plan plan;
     size_panels(plan, paper,
                 std::min({by_width, paper.height_without(k_per_panel + (legend_across ? needed : 0.0)) / paper.extent.z,
                           paper.height_without(k_per_panel + needed) / paper.extent.y}));
-    const double second = k_left + plan.level_caption + k_gap;
+    const double second = k_left + plan.level_caption + k_panel_gap;
     plan.upright.x = second + k_axis_left;
     plan.upright_caption = paper.right() - plan.upright.x;
     const double level_end = plan.level.bottom() + k_axis_below, upright_end = plan.upright.bottom() + k_axis_below;
-    const double left = legend_across ? k_margin : second;
+    const double left = legend_across ? k_panel_margin : second;
     const double tall = legend_height(paper.right() - left);
     if (legend_across)
-        plan.bottom = std::max(level_end, upright_end) + k_gap + tall;
+        plan.bottom = std::max(level_end, upright_end) + k_panel_gap + tall;
     else // it stands on the level slice's foot, so that the page has one lower edge
-        plan.bottom = std::max(level_end, upright_end + k_gap + tall);
+        plan.bottom = std::max(level_end, upright_end + k_panel_gap + tall);
     plan.legend = {left, plan.bottom - tall, paper.right() - left, tall};
     return plan;
 }
@@ -89,8 +91,8 @@ Plan beside(const Paper& paper, bool legend_across) {
 /// The upright slice below the level one; the legend in a column to the right, or below both.
 Plan stacked(const Paper& paper, bool legend_across) {
     const double column = std::min(k_legend_column, 0.45 * paper.inner);
-    const double beside_panels = legend_across ? 0.0 : k_gap + column;
-    const double below_panels = legend_across ? k_gap + legend_height(paper.inner) : 0.0;
+    const double beside_panels = legend_across ? 0.0 : k_panel_gap + column;
+    const double below_panels = legend_across ? k_panel_gap + legend_height(paper.inner) : 0.0;
     Plan plan;
     size_panels(plan, paper,
                 std::min((paper.inner - beside_panels - k_axis_left) / paper.extent.x,
@@ -98,9 +100,9 @@ Plan stacked(const Paper& paper, bool legend_across) {
     plan.upright.y = plan.level.bottom() + k_per_panel;
     const double end = plan.upright.bottom() + k_axis_below;
     if (legend_across) {
-        plan.legend = {k_margin, end + k_gap, paper.inner, legend_height(paper.inner)};
+        plan.legend = {k_panel_margin, end + k_panel_gap, paper.inner, legend_height(paper.inner)};
     } else {
-        const double left = k_left + plan.level_caption + k_gap;
+        const double left = k_left + plan.level_caption + k_panel_gap;
         plan.legend = {left, k_header, paper.right() - left, legend_height(paper.right() - left)};
     }
     plan.bottom = std::max(end, plan.legend.bottom());
@@ -110,13 +112,13 @@ Plan stacked(const Paper& paper, bool legend_across) {
 /// Level slice, upright slice and legend, one beside another.
 Plan in_a_row(const Paper& paper) {
     const double column = std::min(k_legend_column, 0.4 * paper.inner);
-    const double width = 0.5 * (paper.inner - 2.0 * k_gap - column) - k_axis_left;
+    const double width = 0.5 * (paper.inner - 2.0 * k_panel_gap - column) - k_axis_left;
     Plan plan;
     size_panels(plan, paper,
                 std::min(std::max(width, 50.0) / paper.extent.x,
                          paper.height_without(k_per_panel) / std::max(paper.extent.y, paper.extent.z)));
-    plan.upright.x = plan.level.x + plan.level_caption + k_gap + k_axis_left;
-    const double left = plan.upright.x + plan.upright_caption + k_gap;
+    plan.upright.x = plan.level.x + plan.level_caption + k_panel_gap + k_axis_left;
+    const double left = plan.upright.x + plan.upright_caption + k_panel_gap;
     plan.legend = {left, k_header, paper.right() - left, legend_height(std::max(paper.right() - left, 1.0))};
     plan.bottom = std::max(std::max(plan.level.bottom(), plan.upright.bottom()) + k_axis_below, plan.legend.bottom());
     if (plan.legend.width < k_narrowest_legend)
@@ -156,7 +158,7 @@ FrameLayout lay_out(const SlicedAir& air, glm::dvec3 slice_point, int width_px) 
     layout.width_px = width_px - width_px % 2;
     layout.unit = std::max(width_px / k_ordinary_width, k_smallest_unit);
     Paper paper{.extent = air.extent(), .width = layout.width_px / layout.unit};
-    paper.inner = paper.width - 2.0 * k_margin;
+    paper.inner = paper.width - 2.0 * k_panel_margin;
     paper.tallest = std::max(k_tallest_page * paper.width, 900.0);
 
     const std::array plans{beside(paper, false), beside(paper, true), stacked(paper, false), stacked(paper, true),
@@ -170,7 +172,7 @@ FrameLayout lay_out(const SlicedAir& air, glm::dvec3 slice_point, int width_px) 
     layout.height_px = static_cast<int>(std::lround((plan.bottom + k_foot) * layout.unit));
     layout.height_px += layout.height_px % 2;
     layout.page = {0.0, 0.0, paper.width, layout.height_px / layout.unit};
-    layout.header = {k_margin, 0.0, paper.inner, k_header};
+    layout.header = {k_panel_margin, 0.0, paper.inner, k_header};
     return layout;
 }
 

@@ -10,10 +10,10 @@
 namespace windrow::cli {
 namespace {
 
-bool finite(glm::dvec2 v) {
+bool finite_place(glm::dvec2 v) {
     return std::isfinite(v.x) && std::isfinite(v.y);
 }
-bool finite(glm::dvec3 v) {
+bool finite_place(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -55,7 +55,7 @@ void add_arc(std::vector<glm::dvec2>& points, glm::dvec2 centre, double radius, 
 
 /// The convex hull, in order (Andrew 1979); points that are no numbers are left out.
 std::vector<glm::dvec2> hull(std::vector<glm::dvec2> points) {
-    std::erase_if(points, [](glm::dvec2 point) { return !finite(point); });
+    std::erase_if(points, [](glm::dvec2 point) { return !finite_place(point); });
     std::sort(points.begin(), points.end(), [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     std::vector<glm::dvec2> corners;
     const auto add = [&](glm::dvec2 point, std::size_t kept) {
@@ -108,7 +108,7 @@ Runs cut(std::span<const glm::dvec2> points, const Rect& rect) {
     bool joined = false; // the last run ends where the next segment begins
     for (std::size_t index = 1; index < points.size(); ++index) {
         glm::dvec2 from = points[index - 1], to = points[index];
-        if (!finite(from) || !finite(to) || !cut_segment(from, to, rect)) {
+        if (!finite_place(from) || !finite_place(to) || !cut_segment(from, to, rect)) {
             joined = false;
             continue;
         }
@@ -197,7 +197,7 @@ PathParts split_path(std::span<const glm::dvec3> points, const glm::dvec3& now, 
     PathParts parts;
     // Steps shorter than a line is wide show nothing and make long recordings slow.
     const auto add = [](std::vector<glm::dvec2>& run, glm::dvec2 point) {
-        if (run.empty() || !finite(point) || !finite(run.back()) || glm::distance(run.back(), point) > 0.75)
+        if (run.empty() || !finite_place(point) || !finite_place(run.back()) || glm::distance(run.back(), point) > 0.75)
             run.push_back(point);
     };
     if (best_segment == 0) { // one point, or none that is a number
@@ -208,13 +208,13 @@ PathParts split_path(std::span<const glm::dvec3> points, const glm::dvec3& now, 
     for (std::size_t index = 0; index < best_segment; ++index)
         add(parts.past, panel.to_page(points[index]));
     const glm::dvec3 split = points[best_segment - 1] + best_fraction * (points[best_segment] - points[best_segment - 1]);
-    if (finite(split)) {
+    if (finite_place(split)) {
         parts.past.push_back(panel.to_page(split));
         parts.future.push_back(panel.to_page(split));
     }
     for (std::size_t index = best_segment; index < points.size(); ++index)
         add(parts.future, panel.to_page(points[index]));
-    if (!parts.future.empty() && !points.empty() && finite(points.back()))
+    if (!parts.future.empty() && !points.empty() && finite_place(points.back()))
         parts.future.push_back(panel.to_page(points.back()));
     return parts;
 }

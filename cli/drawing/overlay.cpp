@@ -92,7 +92,7 @@ PanelTicks ticks_of(Canvas& canvas, const Panel& panel) {
 /// More motors than this are drawn small and without names.
 constexpr std::size_t k_max_named = 24;
 
-bool finite(glm::dvec3 v) {
+bool finite_point(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -121,7 +121,7 @@ void draw_trail(Marks& marks, const Trail& trail) {
 }
 
 void draw_trail_head(Marks& marks, const Trail& trail, bool named_elsewhere) {
-    if (!finite(trail.now))
+    if (!finite_point(trail.now))
         return;
     const glm::dvec2 at = marks.panel.to_page(trail.now);
     if (!marks.panel.rect.contains(at))

@@ -49,7 +49,7 @@ struct CellChange {
 };
 
 /// Direct solves of the pressure around obstacles in a sub-step, on every backend. Two, the first from the pressure of the sub-step
-/// before: of the fastest air, one solve leaves up to 5 %, two leave 1 % (blocks, balls and walls in 0.6 to 12 m/s, steady and
+/// before: of the fastest air, one solve leaves up to 5 %, two leave 1.4 % (blocks, balls and walls in 0.6 to 12 m/s, steady and
 /// gusty; docs/obstacles.md). Without a past (the first step of a flow, the flow of volume sources) more: two would leave a fifth
 /// of what passes through a wall, eight leave a thousandth.
 inline constexpr int k_solves = 2, k_first_solves = 8;

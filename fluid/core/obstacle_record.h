@@ -1,4 +1,4 @@
-// Parts of a snapshot (snapshot.cpp): paths of what moves, the list of obstacles, and the history of the air at their surfaces.
+// Parts of a snapshot (wind_snapshot.cpp): paths of what moves, the list of obstacles, and the history of the air at their surfaces.
 #pragma once
 
 #include "fluid/core/archive.h"

@@ -53,7 +53,7 @@ class WINDROW_INTERNAL SpeedBound {
     [[nodiscard]] float after(std::uint64_t read_tick, float largest, float apart) const;
 
   private:
-    friend struct StateFields; // snapshot.cpp
+    friend struct StateFields; // wind_snapshot.cpp
 
     static constexpr float k_margin = 1.25f;
     static constexpr float k_unknown = 1e30f; ///< [m/s]

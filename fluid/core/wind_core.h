@@ -77,7 +77,7 @@ class WINDROW_INTERNAL WindCore {
     void renew_ambient();
 
   private:
-    friend struct StateFields; // snapshot.cpp
+    friend struct StateFields; // wind_snapshot.cpp
 
     // --- wind_advance.cpp: time --------------------------------------------------------------------------------------------
     Diagnostics step_air(double duration);

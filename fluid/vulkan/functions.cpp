@@ -39,24 +39,24 @@ Result<Functions> load_functions(const Host& host) {
         return Error{"instance or device is null: give those that were made with the physical device."};
     Functions functions;
     std::string missing;
-#define WINDROW_LOAD(name)                                                                                                       \
+#define WINDROW_FETCH(name)                                                                                                      \
     functions.name = reinterpret_cast<PFN_##name>(host.get_instance_proc_addr(host.instance, #name));                            \
     if (functions.name == nullptr)                                                                                               \
         note_missing(missing, #name);
-    WINDROW_INSTANCE_FUNCTIONS(WINDROW_LOAD)
-#undef WINDROW_LOAD
+    WINDROW_INSTANCE_FUNCTIONS(WINDROW_FETCH)
+#undef WINDROW_FETCH
     // A function pointer from the device calls its driver directly, without the loader's dispatch between devices.
     if (functions.vkGetDeviceProcAddr != nullptr) {
-#define WINDROW_LOAD(name)                                                                                                       \
+#define WINDROW_FETCH(name)                                                                                                      \
     functions.name = reinterpret_cast<PFN_##name>(functions.vkGetDeviceProcAddr(host.device, #name));                            \
     if (functions.name == nullptr)                                                                                               \
         note_missing(missing, #name);
-        WINDROW_DEVICE_FUNCTIONS(WINDROW_LOAD)
-#undef WINDROW_LOAD
+        WINDROW_DEVICE_FUNCTIONS(WINDROW_FETCH)
+#undef WINDROW_FETCH
     }
-#define WINDROW_LOAD(name) functions.name = reinterpret_cast<PFN_##name>(host.get_instance_proc_addr(host.instance, #name));
-    WINDROW_DEBUG_FUNCTIONS(WINDROW_LOAD)
-#undef WINDROW_LOAD
+#define WINDROW_FETCH(name) functions.name = reinterpret_cast<PFN_##name>(host.get_instance_proc_addr(host.instance, #name));
+    WINDROW_DEBUG_FUNCTIONS(WINDROW_FETCH)
+#undef WINDROW_FETCH
     if (functions.vkCmdEndDebugUtilsLabelEXT == nullptr)
         functions.vkCmdBeginDebugUtilsLabelEXT = nullptr;
     if (!missing.empty())

@@ -237,11 +237,11 @@ struct WINDROW_HIDDEN OwnDevice::State {
         }
         const auto load = instance->load<PFN_vkGetDeviceProcAddr>("vkGetDeviceProcAddr");
         bool complete = true;
-#define WINDROW_LOAD(name)                                                                                                       \
+#define WINDROW_FETCH(name)                                                                                                      \
     functions.name = reinterpret_cast<PFN_##name>(load(device, #name));                                                          \
     complete = complete && functions.name != nullptr;
-        WINDROW_OWN_FUNCTIONS(WINDROW_LOAD)
-#undef WINDROW_LOAD
+        WINDROW_OWN_FUNCTIONS(WINDROW_FETCH)
+#undef WINDROW_FETCH
         if (!complete)
             return Error{chosen.facts.name + " lacks functions of Vulkan 1.0: update its driver."};
         return {};

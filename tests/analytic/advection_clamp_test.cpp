@@ -7,6 +7,8 @@
 #include "figures.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -61,7 +63,7 @@ TEST(AdvectionClamp, NeverLeavesTheRangeOfTheField) {
     Workspace work = workspace(box);
     const glm::dvec3 size(box.cells);
     const Field wind = velocities_of(box, [&](glm::dvec3 x) {
-        const glm::dvec3 phase = 2.0 * k_pi * x / size;
+        const glm::dvec3 phase = 2.0 * std::numbers::pi * x / size;
         return 1.5 * glm::dvec3(std::sin(phase.y) + std::cos(phase.z), std::sin(phase.z) + std::cos(phase.x),
                                 std::sin(phase.x) + std::cos(phase.y));
     });

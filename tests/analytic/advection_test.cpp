@@ -9,6 +9,7 @@
 #include "flows.h"
 
 #include <complex>
+#include <numbers>
 
 namespace windrow {
 namespace {
@@ -56,7 +57,7 @@ std::complex<double> mode_factor(Interpolation interpolation, double cells, doub
 std::complex<double> measured_factor(Workspace& work, CarriedForm form, Interpolation interpolation, int axis, int k,
                                      glm::vec3 wind) {
     const Box& box = work.box();
-    const double theta = 2.0 * k_pi * k / box.cells[axis];
+    const double theta = 2.0 * std::numbers::pi * k / box.cells[axis];
     const auto cosine = scalars_of(box, [&](glm::dvec3 x) { return std::cos(theta * (x[axis] - 0.5)); });
     const auto sine = scalars_of(box, [&](glm::dvec3 x) { return std::sin(theta * (x[axis] - 0.5)); });
     const Field air = uniform_wind(box, wind);
@@ -88,9 +89,10 @@ TEST_P(UniformWind, EachModeOfEachAxisHasItsFactor) {
                     glm::vec3 wind(0.6f, -0.3f, 1.7f);
                     wind[axis] = shift;
                     const auto factor = measured_factor(work, form, GetParam(), axis, k, wind);
-                    worst = std::max(worst, std::abs(factor - mode_factor(GetParam(), shift, 2.0 * k_pi * k / k_cells)));
+                    worst =
+                        std::max(worst, std::abs(factor - mode_factor(GetParam(), shift, 2.0 * std::numbers::pi * k / k_cells)));
                     if (GetParam() == Interpolation::linear) {
-                        const double a = shift - std::floor(shift), s = std::sin(k_pi * k / k_cells);
+                        const double a = shift - std::floor(shift), s = std::sin(std::numbers::pi * k / k_cells);
                         worst_size = std::max(
                             worst_size, std::abs(std::abs(factor) - std::sqrt(std::max(0.0, 1.0 - 4.0 * a * (1.0 - a) * s * s))));
                     }
@@ -110,7 +112,7 @@ TEST_P(UniformWind, AnObliqueModeHasTheProductOfItsFactors) {
     for (int trial = 0; trial < 24; ++trial) {
         const glm::ivec3 k(random.integer(0, 15), random.integer(0, 7), random.integer(0, 9));
         const glm::vec3 wind(random.point(3.0));
-        const glm::dvec3 theta = 2.0 * k_pi * glm::dvec3(k) / glm::dvec3(box.cells);
+        const glm::dvec3 theta = 2.0 * std::numbers::pi * glm::dvec3(k) / glm::dvec3(box.cells);
         std::complex<double> factor = 1.0;
         for (int axis = 0; axis < 3; ++axis)
             factor *= mode_factor(GetParam(), wind[axis], theta[axis]);

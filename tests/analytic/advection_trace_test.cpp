@@ -7,6 +7,8 @@
 #include "figures.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -19,7 +21,7 @@ struct Turn {
     /// rate = 2 pi (1 + unsteadiness (3 t^2 - 1)): one turn in unit time, faster at its end than at its start. (A rate that came
     /// back would hide a first-order error: the sum of a periodic function over its period is too good.)
     double unsteadiness = 0.0;
-    double rate(double t) const { return 2.0 * k_pi * (1.0 + unsteadiness * (3.0 * t * t - 1.0)); }
+    double rate(double t) const { return 2.0 * std::numbers::pi * (1.0 + unsteadiness * (3.0 * t * t - 1.0)); }
 };
 
 // |value - start| / |start| of a Gaussian after one turn about the middle of a 2 m square.

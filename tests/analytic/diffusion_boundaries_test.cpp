@@ -16,11 +16,11 @@ using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
 
-constexpr std::array k_sizes = {glm::ivec3(1, 1, 1),   glm::ivec3(1, 2, 3),  glm::ivec3(2, 1, 1),
-                                glm::ivec3(3, 3, 2),   glm::ivec3(1, 5, 7),  glm::ivec3(3, 1, 4),
-                                glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
+constexpr std::array k_diffused_sizes = {glm::ivec3(1, 1, 1),   glm::ivec3(1, 2, 3),  glm::ivec3(2, 1, 1),
+                                         glm::ivec3(3, 3, 2),   glm::ivec3(1, 5, 7),  glm::ivec3(3, 1, 4),
+                                         glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
 
-Boundaries random_walls(Random& random) {
+Boundaries random_diffusing_walls(Random& random) {
     Boundaries boundaries = random_kinds(random);
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
@@ -46,7 +46,9 @@ TEST(DiffusionSides, EveryMixOfSidesSolvesItsEquations) {
     double worst_one_pass = 0.0, worst_implicit = 0.0, worst_scaled = 0.0, worst_error = 0.0;
     int trials[2] = {};
     for (int trial = 0; trial < 900; ++trial) {
-        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .boundaries = random_walls(random)};
+        const Box box{.cells = k_diffused_sizes[trial % k_diffused_sizes.size()],
+                      .cell_size = 0.5f,
+                      .boundaries = random_diffusing_walls(random)};
         const glm::vec3 ambient = admissible_ambient(box.boundaries, glm::vec3(random.point(1.0)));
         Workspace work = workspace(box, ambient);
         // h^2 / dt = 1: the viscosity is the ratio.

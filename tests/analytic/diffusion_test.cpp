@@ -2,6 +2,8 @@
 #include "case_check.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -130,7 +132,7 @@ double height_after(double seconds, double hz) {
                         .relaxation_time = 0.0f,
                         .stages = {.advection = false}};
     Wind wind = test::made(config);
-    const auto wave = [](double y) { return std::sin(2.0 * k_pi * y / 8.0); };
+    const auto wave = [](double y) { return std::sin(2.0 * std::numbers::pi * y / 8.0); };
     wind.set_velocity([&](glm::dvec3 x) { return glm::vec3(wave(x.y), 0.0f, 0.0f); });
     take_steps(wind, static_cast<int>(std::lround(seconds * hz)), 1.0 / hz);
     double sum = 0.0;
@@ -140,7 +142,7 @@ double height_after(double seconds, double hz) {
 }
 
 TEST(OwedDiffusion, AWaveFadesAlikeInShortAndInLongSteps) {
-    const double half_sine = std::sin(k_pi / 8.0);
+    const double half_sine = std::sin(std::numbers::pi / 8.0);
     const double exact = std::exp(-0.01 * 4.0 * half_sine * half_sine * 60.0);
     for (const double hz : {30.0, 120.0, 1000.0}) {
         expect_at_most("diffusion.owed_hz_" + std::to_string(static_cast<int>(hz)),

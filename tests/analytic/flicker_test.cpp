@@ -9,6 +9,8 @@
 #include "figures.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -83,7 +85,7 @@ TEST(Flicker, NoneTenStepsAfterABlast) {
 // the flow. The flow's largest speed is 1 m/s.
 TEST(Flicker, NoneAfterAStartInTheMiddleOfAFlow) {
     for (const int cells : {32, 64, 128}) {
-        const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
+        const Box box = periodic_box({cells, cells, 1}, 2.0 * std::numbers::pi / cells);
         Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
         const TaylorGreen2D flow;
         EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));

@@ -9,9 +9,13 @@
 #include "fluid/operators.h"
 #include "tests/winds.h"
 
+#include <numbers>
 #include <span>
 
 namespace windrow::flows {
+
+inline constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip,
+                              k_periodic = BoundaryKind::periodic;
 
 using cases::ArnoldBeltramiChildress;
 using cases::k_pi;

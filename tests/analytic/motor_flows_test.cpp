@@ -9,6 +9,7 @@
 #include "flows.h"
 
 #include <glm/vector_relational.hpp>
+#include <numbers>
 
 namespace windrow {
 namespace {
@@ -248,13 +249,13 @@ TEST(MotorFlows, AWhirlHasItsCirculationAndNextToNoDivergence) {
         const double radius = 13.5 / std::sqrt(5.0);
         double circulation = 0.0;
         for (int n = 0; n < 720; ++n) {
-            const double turn = 2.0 * k_pi * n / 720.0; // right-handed about y: z turns to x
+            const double turn = 2.0 * std::numbers::pi * n / 720.0; // right-handed about y: z turns to x
             const glm::dvec3 way(std::cos(turn), 0.0, -std::sin(turn));
             const glm::dvec3 u(wind.velocity(radius * glm::dvec3(std::sin(turn), 0.0, std::cos(turn))));
-            circulation += glm::dot(u, way) * 2.0 * k_pi * radius / 720.0;
+            circulation += glm::dot(u, way) * 2.0 * std::numbers::pi * radius / 720.0;
         }
         const std::string name = speed > 0.0f ? "whirl." : "whirl.left_handed.";
-        const double expected = 2.0 * k_pi * radius * double(speed);
+        const double expected = 2.0 * std::numbers::pi * radius * double(speed);
         EXPECT_GT(circulation * double(speed), 0.0) << "the sign";
         report(name + "circulation", circulation / expected);
         expect_at_most(name + "circulation_error", std::abs(circulation / expected - 1.0), 0.05);

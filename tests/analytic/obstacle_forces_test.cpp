@@ -4,13 +4,14 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace windrow {
 namespace {
 
 using namespace test;
 
-glm::quat turned(double degrees, glm::dvec3 axis = {0.0, 1.0, 0.0}) {
+glm::quat turned_about(double degrees, glm::dvec3 axis = {0.0, 1.0, 0.0}) {
     return glm::quat(glm::angleAxis(glm::radians(degrees), axis));
 }
 
@@ -80,7 +81,7 @@ TEST_P(Momentum, OfTheAirIsWhatBodiesGive) {
     Wind wind = made(config);
     const ObstacleId sail = *wind.obstacles().add({.position = {-3.1, 0.2, 0.3}, .shape = Plate{{2.0f, 3.0f}}}),
                      fence = *wind.obstacles().add(
-                         {.position = {3.4, -1.0, 0.0}, .orientation = turned(65.0), .shape = Plate{{2.5f, 2.0f}}});
+                         {.position = {3.4, -1.0, 0.0}, .orientation = turned_about(65.0), .shape = Plate{{2.5f, 2.0f}}});
     if (GetParam().blast) {
         added(wind, PressureMotor{.position = {0.0, 1.0, 2.0}, .radius = 1.5f, .speed = 1e-3f, .duration = 0.3f});
     }
@@ -89,7 +90,7 @@ TEST_P(Momentum, OfTheAirIsWhatBodiesGive) {
     for (int n = 1; n <= 30; ++n) {
         const double way = 7 * n % 4 / 65536.0, dt = n % 3 == 0 ? 0.02 : 0.05;
         if (n < 20) {
-            ASSERT_TRUE(wind.obstacles().move(sail, {-3.1 + way, 0.2, 0.3 + 0.5 * way}, turned(1e-5 * n)));
+            ASSERT_TRUE(wind.obstacles().move(sail, {-3.1 + way, 0.2, 0.3 + 0.5 * way}, turned_about(1e-5 * n)));
         }
         (void)wind.step(dt);
         const glm::dvec3 after = momentum(wind),
@@ -114,7 +115,7 @@ TEST(ObstacleForces, ABallThatStartsHasHalfItsMassAdded) {
     const double dt = 0.01, speed = 0.2;
     ASSERT_TRUE(wind.obstacles().move(ball, {0.01 + speed * dt, 0.02, 0.0}));
     (void)wind.step(dt);
-    const double mass = double(k_air_density) * k_pi / 6.0;
+    const double mass = double(k_air_density) * std::numbers::pi / 6.0;
     EXPECT_NEAR(-force_on(wind, ball).x / (mass * speed / dt), 0.5, 0.04);
 }
 
@@ -125,7 +126,7 @@ TEST(ObstacleForces, ABallThatSpeedsUpHasHalfItsMassAdded) {
         Wind wind =
             made({.cells = glm::ivec3(48), .cell_size = 1.0f / 16.0f, .relaxation_time = 0.0f, .pressure_solves = solves});
         const ObstacleId ball = *wind.obstacles().add({.position = {0.01, 0.02, 0.0}, .shape = Sphere{0.5f}});
-        const double dt = 0.01, rate = 2.0, mass = double(k_air_density) * k_pi / 6.0;
+        const double dt = 0.01, rate = 2.0, mass = double(k_air_density) * std::numbers::pi / 6.0;
         double place = 0.01, first = 0.0, later = 0.0;
         for (int n = 1; n <= 8; ++n) {
             place += rate * dt * n * dt;
@@ -150,7 +151,7 @@ TEST(ObstacleForces, ABallThatSpeedsUpHasHalfItsMassAdded) {
 TEST(ObstacleForces, AreNormalToAPlate) {
     for (const double degrees : {0.0, 30.0, 45.0, 60.0}) {
         Wind wind = made({.cells = {40, 24, 32}, .ambient = {8.0f, 0.0f, 0.0f}, .relaxation_time = 0.0f});
-        const glm::quat orientation = turned(90.0 - degrees);
+        const glm::quat orientation = turned_about(90.0 - degrees);
         const ObstacleId sail =
             *wind.obstacles().add({.position = {-6.0, 0.0, 0.2}, .orientation = orientation, .shape = Plate{{4.0f, 4.0f}}});
         glm::dvec3 sum(0.0);
@@ -174,7 +175,7 @@ TEST(ObstacleForces, AreNormalToAPlate) {
 
 TEST(ObstacleForces, InGustsFollowTheGusts) {
     Wind wind = made({.cells = {24, 16, 20}, .ambient = {8.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.2f, .length = 16.0f}});
-    const ObstacleId sail = *wind.obstacles().add({.orientation = turned(90.0), .shape = Plate{{3.0f, 3.0f}}});
+    const ObstacleId sail = *wind.obstacles().add({.orientation = turned_about(90.0), .shape = Plate{{3.0f, 3.0f}}});
     double sum = 0.0, squares = 0.0;
     const int count = 200;
     for (int n = -50; n < count; ++n) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace windrow {
 namespace {
@@ -40,7 +41,7 @@ TEST(Obstacles, ASphereHasHalfItsMassAdded) {
     for (const int cells : {8, 16}) { // a diameter
         const Box box{.cells = glm::ivec3(4 * cells), .cell_size = 1.0f / static_cast<float>(cells)};
         for (const glm::vec3 off : {glm::vec3(0.0f), glm::vec3(0.37f, 0.21f, 0.08f) * box.cell_size}) {
-            const double mass = added_mass(Sphere{0.5f}, box, k_pi / 6.0, off);
+            const double mass = added_mass(Sphere{0.5f}, box, std::numbers::pi / 6.0, off);
             EXPECT_NEAR(mass, 0.5, cells == 16 ? 0.04 : 0.05) << cells << " cells a diameter";
             if (off != glm::vec3(0.0f)) {
                 EXPECT_LT(std::abs(mass - 0.5), 0.75 * error_before);
@@ -57,10 +58,10 @@ TEST(Obstacles, ACylinderHasItsMassAdded) {
         const float h = 1.0f / static_cast<float>(cells);
         Box box{.cells = {12 * cells, 1, 12 * cells}, .cell_size = h};
         box.boundaries.y_low = box.boundaries.y_high = {BoundaryKind::free_slip};
-        const double in_box = (144.0 / k_pi - 0.25) / (144.0 / k_pi + 0.25);
+        const double in_box = (144.0 / std::numbers::pi - 0.25) / (144.0 / std::numbers::pi + 0.25);
         for (const glm::vec3 off : {glm::vec3(0.0f), glm::vec3(0.37f, 0.0f, 0.08f) * h}) {
-            const double mass =
-                added_mass(Cylinder{.radius = 0.5f, .half_length = 10.0f}, box, k_pi * 0.25 * static_cast<double>(h), off);
+            const double mass = added_mass(Cylinder{.radius = 0.5f, .half_length = 10.0f}, box,
+                                           std::numbers::pi * 0.25 * static_cast<double>(h), off);
             EXPECT_NEAR(mass, in_box, cells == 16 ? 0.08 : 0.12) << cells << " cells a diameter";
         }
     }
@@ -74,8 +75,8 @@ TEST(Obstacles, ACylinderHasMoreMassAddedInALargerBox) {
     for (const int diameters : {6, 12, 24}) {
         Box box{.cells = {diameters * k_cells, 1, diameters * k_cells}, .cell_size = k_size};
         box.boundaries.y_low = box.boundaries.y_high = {BoundaryKind::free_slip};
-        const double area = static_cast<double>(diameters * diameters) / k_pi, in_box = (area - 0.25) / (area + 0.25);
-        const double mass = added_mass(Cylinder{.radius = 0.5f, .half_length = 10.0f}, box, k_pi * 0.25 / k_cells,
+        const double area = static_cast<double>(diameters * diameters) / std::numbers::pi, in_box = (area - 0.25) / (area + 0.25);
+        const double mass = added_mass(Cylinder{.radius = 0.5f, .half_length = 10.0f}, box, std::numbers::pi * 0.25 / k_cells,
                                        glm::vec3(0.37f, 0.0f, 0.08f) * k_size);
         EXPECT_NEAR(mass, in_box, 0.05) << diameters << " diameters";
         const double offset = mass - in_box;

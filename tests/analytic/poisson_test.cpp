@@ -18,14 +18,13 @@ using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
 
-constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip,
-                       k_periodic = BoundaryKind::periodic;
 // Every pair of ends that an axis may have; the first five differ for the pressure, to which both walls are one.
 constexpr BoundaryKind k_pairs[10][2] = {{k_open, k_open},         {k_slip, k_slip},  {k_open, k_slip},  {k_slip, k_open},
                                          {k_periodic, k_periodic}, {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough},
                                          {k_open, k_rough},        {k_rough, k_open}};
 constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::ivec3(2, 2, 2), glm::ivec3(3, 1, 4)};
-constexpr std::array k_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33), glm::ivec3(64, 1, 64)};
+constexpr std::array k_solved_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33),
+                                       glm::ivec3(64, 1, 64)};
 
 Boundaries mix(int x, int y, int z) {
     return sides_of({k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]});
@@ -72,7 +71,7 @@ TEST(Poisson, EveryMixOfSidesOfATinyBoxIsSolved) {
 
 TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
     Random random(2);
-    for (const glm::ivec3 cells : k_sizes) {
+    for (const glm::ivec3 cells : k_solved_sizes) {
         double worst = 0.0, worst_scaled = 0.0;
         for (int n = 0; n < 125; ++n) {
             const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
@@ -91,7 +90,7 @@ TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
 TEST(Poisson, PhiAndItsGradientAgreeWithADoubleSolve) {
     Random random(3);
     double worst_phi = 0.0, worst_gradient = 0.0, worst_slender = 0.0, worst_over_rounding = 0.0;
-    for (const glm::ivec3 cells : k_sizes)
+    for (const glm::ivec3 cells : k_solved_sizes)
         for (int n = 0; n < 125; ++n) {
             const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
             const Stencil& stencil = solved.stencil;
@@ -118,7 +117,7 @@ TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
     double worst = 0.0;
     for (const int y : {1, 4})
         for (const int x : {1, 4, 7})
-            for (const glm::ivec3 cells : k_sizes) {
+            for (const glm::ivec3 cells : k_solved_sizes) {
                 const Box box{.cells = cells, .boundaries = mix(x, y, x)};
                 Workspace work = workspace(box);
                 // A large mean: it must leave no trace in phi.

@@ -7,6 +7,8 @@
 #include "case_check.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -15,7 +17,9 @@ using figures::expect_at_least;
 using figures::expect_at_most;
 
 Box cube(int cells, const Boundaries& boundaries = Boundaries::all(BoundaryKind::periodic)) {
-    return {.cells = {cells, cells, cells}, .cell_size = static_cast<float>(2.0 * k_pi / cells), .boundaries = boundaries};
+    return {.cells = {cells, cells, cells},
+            .cell_size = static_cast<float>(2.0 * std::numbers::pi / cells),
+            .boundaries = boundaries};
 }
 
 double change(Workspace& work, const Field& before) {
@@ -60,7 +64,7 @@ TEST(Projection, ADiscreteGradientLeavesTheCompactWideDifference) {
     Workspace work = workspace(box);
     double worst = 0.0;
     for (int k = 1; k < 16; ++k) {
-        const double theta = 2.0 * k_pi * k / 32;
+        const double theta = 2.0 * std::numbers::pi * k / 32;
         Field field =
             velocities_of(box, [&](glm::dvec3 x) { return glm::dvec3(std::sin(theta) * std::cos(theta * x.x), 0.0, 0.0); });
         const double before = rms(field);
@@ -131,12 +135,13 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
                              : glm::dvec3(std::sin(2.0 * x.y + 1.0), std::cos(3.0 * x.x), 0.0);
             };
             // pi phi = sin(kx x) sin(ky y), or sin(kx x) cos(ky y) over a floor, x and y from where it is 0, or from the floor
-            const double h = 1.0 / cells, kx = k_pi / (1.0 + h), ky = floor ? 0.5 * k_pi / (1.0 + 0.5 * h) : kx;
+            const double h = 1.0 / cells, kx = std::numbers::pi / (1.0 + h),
+                         ky = floor ? 0.5 * std::numbers::pi / (1.0 + 0.5 * h) : kx;
             Field field = velocities_of(box, [&](glm::dvec3 x) {
                 const double sx = std::sin(kx * (x.x + 0.5 * h)), cx = std::cos(kx * (x.x + 0.5 * h));
                 const double y = ky * (floor ? x.y : x.y + 0.5 * h);
                 const double fy = floor ? std::cos(y) : std::sin(y), dy = floor ? -std::sin(y) : std::cos(y);
-                return through(x) + glm::dvec3(kx * cx * fy, ky * sx * dy, 0.0) / k_pi;
+                return through(x) + glm::dvec3(kx * cx * fy, ky * sx * dy, 0.0) / std::numbers::pi;
             });
             project(work, field);
             double squares[2] = {};

@@ -28,7 +28,7 @@ Rows waves(int count, double top, double ratio) {
     const double a = (ratio - 1.0) / (ratio + 1.0);
     for (int j = 0; j < count; ++j) {
         const double part = (j + 0.5) / count;
-        rows.heights.push_back(static_cast<float>(top * (part - a / (2.0 * k_pi) * std::sin(2.0 * k_pi * part))));
+        rows.heights.push_back(static_cast<float>(top * (part - a / (2.0 * pi) * std::sin(2.0 * pi * part))));
     }
     return rows;
 }
@@ -42,14 +42,14 @@ Boundaries between_walls() {
 /// A duct of 2 pi, closed along y.
 Config duct(int cells, double ratio) {
     Config config{.cells = {cells, cells, 1},
-                  .cell_size = static_cast<float>(2.0 * k_pi / cells),
+                  .cell_size = static_cast<float>(2.0 * pi / cells),
                   .boundaries = between_walls(),
-                  .centre = glm::dvec3(k_pi, k_pi, k_pi / cells),
+                  .centre = glm::dvec3(pi, pi, pi / cells),
                   .viscosity = 0.01f,
                   .relaxation_time = 0.0f,
                   .max_cfl = 1e5f};
     if (ratio > 0.0)
-        config.rows = waves(cells, 2.0 * k_pi, ratio);
+        config.rows = waves(cells, 2.0 * pi, ratio);
     return config;
 }
 
@@ -80,8 +80,8 @@ double carried_vortices(int cells, double cfl, double ratio, bool by_volume = fa
         };
     };
     wind.set_velocity([&](glm::dvec3 x) { return glm::vec3(flow(0.0)(x)); });
-    take_steps(wind, static_cast<int>(std::lround(cells / cfl)), k_pi * cfl / cells);
-    return error_of(wind, flow(k_pi), {1.0, 0.0, 0.0}, by_volume);
+    take_steps(wind, static_cast<int>(std::lround(cells / cfl)), pi * cfl / cells);
+    return error_of(wind, flow(pi), {1.0, 0.0, 0.0}, by_volume);
 }
 
 // Trajectories in metres in place of rows make the error of order 1; a divergence without its row's thickness breaks the flow.
@@ -101,8 +101,8 @@ TEST(StretchedRows, CarriedVorticesAreSecondOrder) {
 TEST(StretchedRows, ThePressureIsSecondOrder) {
     for (const double ratio : {4.0, 16.0})
         figures::expect_orders("rows.poisson.ratio_" + std::to_string(static_cast<int>(ratio)), {32, 64, 128}, 1.9, [&](int n) {
-            const float h = static_cast<float>(2.0 * k_pi / n);
-            const auto rows = *RowTable::create(waves(n, 2.0 * k_pi, ratio), n, h);
+            const float h = static_cast<float>(2.0 * pi / n);
+            const auto rows = *RowTable::create(waves(n, 2.0 * pi, ratio), n, h);
             const Box box{.cells = {n, n, 1}, .cell_size = h, .boundaries = between_walls(), .rows = rows};
             Workspace work = flows::workspace(box);
             std::vector<float> phi(box.cell_count());
@@ -384,7 +384,7 @@ TEST(StretchedRows, AFloorOfNoThicknessSeparatesTheAir) {
     Wind wind = made(config);
     const double height = wind.view().window().size().y;
     ASSERT_TRUE(wind.obstacles().add({.position = {0.0, 2.07, 0.0},
-                                      .orientation = glm::angleAxis(0.5f * float(k_pi), glm::vec3(1.0f, 0.0f, 0.0f)),
+                                      .orientation = glm::angleAxis(0.5f * float(pi), glm::vec3(1.0f, 0.0f, 0.0f)),
                                       .shape = Plate{{20.0f, 20.0f}}}));
     const double low = wind.origin().y;
     ASSERT_TRUE(low <= 0.0 && low + height > 4.0);
@@ -420,7 +420,7 @@ TEST(StretchedRows, AForceKeepsItsImpulse) {
         for_each_cell(config.cells, [&](int i, int j, int k) {
             momentum += double(wind.box().volume(j)) * double(wind.field()[wind.box().index(i, j, k)].x);
         });
-        const double wanted = 10.0 * 0.1 * 32.0 * k_pi * 8.0 / 105.0;
+        const double wanted = 10.0 * 0.1 * 32.0 * pi * 8.0 / 105.0;
         expect_at_most("rows.impulse.at_" + std::to_string(static_cast<int>(height)) + "_m", std::abs(momentum / wanted - 1.0),
                        0.1);
     }

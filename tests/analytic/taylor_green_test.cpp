@@ -10,6 +10,8 @@
 #include "case_check.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
@@ -51,8 +53,8 @@ FlowErrors run(const Box& box, const StepScheme& method, const Flow& flow, glm::
 }
 
 FlowErrors carried_vortices(int cells, double cfl, const StepScheme& method) {
-    const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
-    return run(box, method, TaylorGreen2D{.mean = {1.0, 0.5, 0.0}, .viscosity = 0.01}, {1.0, 0.5, 0.0}, k_pi,
+    const Box box = periodic_box({cells, cells, 1}, 2.0 * std::numbers::pi / cells);
+    return run(box, method, TaylorGreen2D{.mean = {1.0, 0.5, 0.0}, .viscosity = 0.01}, {1.0, 0.5, 0.0}, std::numbers::pi,
                static_cast<int>(std::lround(cells / cfl)));
 }
 
@@ -81,8 +83,8 @@ void expect_orders(const std::string& flow_name, const StepScheme& method, const
     const std::string name = flow_name + "." + method.name;
     figures::expect_orders(name, {coarsest, 2 * coarsest, 4 * coarsest}, least, [&](int cells) {
         const glm::ivec3 all = glm::mix(glm::ivec3(1), glm::ivec3(cells), long_axes);
-        const FlowErrors found =
-            run(periodic_box(all, 2.0 * k_pi / cells), method, flow, glm::dvec3(0.0), end, coarsest_steps * cells / coarsest);
+        const FlowErrors found = run(periodic_box(all, 2.0 * std::numbers::pi / cells), method, flow, glm::dvec3(0.0), end,
+                                     coarsest_steps * cells / coarsest);
         figures::report(name + ".amplitude_error_" + std::to_string(cells), found.amplitude_error);
         return found.error;
     });
@@ -97,21 +99,22 @@ constexpr glm::bvec3 k_slab(true, true, false), k_cube(true, true, true);
 
 TEST(TaylorGreen, AmplitudeOfStandingVortices) {
     for (const StepScheme& method : {k_second_order, k_split_linear, k_split_cubic})
-        expect_orders("tg2d.standing", method, TaylorGreen2D{.viscosity = 0.01}, k_slab, 32, 0.625 * k_pi, 10,
+        expect_orders("tg2d.standing", method, TaylorGreen2D{.viscosity = 0.01}, k_slab, 32, 0.625 * std::numbers::pi, 10,
                       min_order_of(method));
 }
 
 TEST(TaylorGreen, AmplitudeOfAbcFlow) {
     for (const StepScheme& method : {k_second_order, k_split_linear, k_split_cubic})
-        expect_orders("abc", method, ArnoldBeltramiChildress{.viscosity = 0.01}, k_cube, 16, 0.375 * k_pi, 6,
+        expect_orders("abc", method, ArnoldBeltramiChildress{.viscosity = 0.01}, k_cube, 16, 0.375 * std::numbers::pi, 6,
                       min_order_of(method));
 }
 
 // Viscosity alone is first order in time (operators.h). Where it is strong that shows on fine grids, in any scheme.
 TEST(TaylorGreen, StrongViscosityShowsItsFirstOrder) {
-    expect_orders("tg2d.viscosity_0.05", k_second_order, TaylorGreen2D{.viscosity = 0.05}, k_slab, 32, 0.625 * k_pi, 10, 0.9);
-    expect_orders("abc.viscosity_0.05", k_second_order, ArnoldBeltramiChildress{.viscosity = 0.05}, k_cube, 16, 0.375 * k_pi, 6,
-                  0.9);
+    expect_orders("tg2d.viscosity_0.05", k_second_order, TaylorGreen2D{.viscosity = 0.05}, k_slab, 32, 0.625 * std::numbers::pi,
+                  10, 0.9);
+    expect_orders("abc.viscosity_0.05", k_second_order, ArnoldBeltramiChildress{.viscosity = 0.05}, k_cube, 16,
+                  0.375 * std::numbers::pi, 6, 0.9);
 }
 
 // Steps of a game's frames. Order 2 asks that the trajectories extrapolate over the whole of a longer step, that a first step
@@ -131,7 +134,7 @@ TEST(TaylorGreen, UnevenStepsAreSecondOrder) {
     const TaylorGreen2D flow{.mean = {1.0, 0.5, 0.0}, .viscosity = 0.01};
     for (const StepSequence& sequence : sequences) {
         figures::expect_orders(std::string("tg2d.uneven.") + sequence.name, {64, 128}, 1.9, [&](int cells) {
-            const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
+            const Box box = periodic_box({cells, cells, 1}, 2.0 * std::numbers::pi / cells);
             Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
             EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
             Random random(5);
@@ -140,9 +143,9 @@ TEST(TaylorGreen, UnevenStepsAreSecondOrder) {
             for (int step = 0; step < cells; ++step)
                 sum += lengths[static_cast<std::size_t>(step)] = sequence.length(step, random);
             for (const double length : lengths)
-                wind.step(k_pi * length / sum);
+                wind.step(std::numbers::pi * length / sum);
             return velocity_error(
-                box, wind.field(), [&](glm::dvec3 x) { return flow(x, k_pi); }, flow.mean);
+                box, wind.field(), [&](glm::dvec3 x) { return flow(x, std::numbers::pi); }, flow.mean);
         });
     }
 }

@@ -12,8 +12,6 @@ namespace {
 using namespace flows;
 using figures::expect_at_most;
 
-constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_periodic = BoundaryKind::periodic;
-
 enum class Surroundings { same, still };
 
 struct UniformSetting {

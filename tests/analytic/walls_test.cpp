@@ -7,13 +7,13 @@
 #include "figures.h"
 #include "flows.h"
 
+#include <numbers>
+
 namespace windrow {
 namespace {
 
 using namespace flows;
 using figures::expect_at_most;
-
-constexpr BoundaryKind k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip, k_periodic = BoundaryKind::periodic;
 
 // A smooth solenoidal wind of a closed box of pi: its normal component is 0 on every wall, its others are even about them.
 glm::dvec3 closed_wind(glm::dvec3 x) {
@@ -25,7 +25,7 @@ glm::dvec3 closed_wind(glm::dvec3 x) {
 
 TEST(Walls, AFreeSlipBoxIsAnEighthOfAMirroredPeriodicBox) {
     const glm::ivec3 cells(16, 12, 15);
-    const auto scaled = [](glm::dvec3 x, glm::ivec3 half) { return closed_wind(x * k_pi / glm::dvec3(half)); };
+    const auto scaled = [](glm::dvec3 x, glm::ivec3 half) { return closed_wind(x * std::numbers::pi / glm::dvec3(half)); };
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
         for (const double viscosity : {0.0, 0.05, 1.0}) {
             const Box closed{.cells = cells, .boundaries = Boundaries::all(k_slip)}, whole = periodic_box(2 * cells);
@@ -51,12 +51,12 @@ TEST(Walls, TaylorGreenVorticesFillAFreeSlipBox) {
     const TaylorGreen2D flow{.viscosity = 0.01};
     figures::expect_orders("walls.tg2d", {16, 32, 64}, 1.9, [&](int cells) {
         const Box box{.cells = {cells, cells, 1},
-                      .cell_size = static_cast<float>(k_pi / cells),
+                      .cell_size = static_cast<float>(std::numbers::pi / cells),
                       .boundaries = sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic})};
         Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
         EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
         const int steps = 10 * cells / 16; // even, CFL 1
-        const double end = 0.625 * k_pi;
+        const double end = 0.625 * std::numbers::pi;
         take_steps(wind, steps, end / steps);
         return velocity_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, end); });
     });
@@ -91,7 +91,7 @@ TEST(Walls, NothingBlowsThroughAWall) {
         figures::expect_orders(std::string("walls.normal_velocity.") + (kind == k_slip ? "free_slip" : "no_slip"), {32, 64}, 1.9,
                                [&](int cells) {
                                    const Box box{.cells = glm::ivec3(cells),
-                                                 .cell_size = static_cast<float>(k_pi / cells),
+                                                 .cell_size = static_cast<float>(std::numbers::pi / cells),
                                                  .boundaries = Boundaries::all(kind)};
                                    Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
                                    EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
@@ -109,7 +109,8 @@ double shear_error(int cells, double end) {
     const Box box{.cells = {4, cells, 4}, .cell_size = static_cast<float>(1.0 / cells), .boundaries = boundaries};
     Wind wind = raw_wind(box, k_viscosity, Scheme::second_order, Interpolation::cubic);
     const auto exact = [&](glm::dvec3 x, double t) {
-        return glm::dvec3(sliding) + std::exp(-k_viscosity * k_pi * k_pi * t) * std::sin(k_pi * x.y) * glm::dvec3(1.0, 0.0, 0.5);
+        return glm::dvec3(sliding) + std::exp(-k_viscosity * std::numbers::pi * std::numbers::pi * t) *
+                                         std::sin(std::numbers::pi * x.y) * glm::dvec3(1.0, 0.0, 0.5);
     };
     EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return exact(x, 0.0); })));
     const int steps = static_cast<int>(std::ceil(end * k_viscosity * cells * cells / 0.08));
@@ -133,7 +134,8 @@ TEST(Walls, AMirroredFlowStaysMirrored) {
             Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
             const glm::dvec3 size(box.cells);
             Field start = velocities_of(box, [&](glm::dvec3 x) {
-                const glm::dvec3 p = x * glm::dvec3(k_pi / size.x, k_pi / size.y, 2.0 * k_pi / size.z);
+                const glm::dvec3 p =
+                    x * glm::dvec3(std::numbers::pi / size.x, std::numbers::pi / size.y, 2.0 * std::numbers::pi / size.z);
                 return 1.5 * glm::dvec3(std::sin(2.0 * p.x) * std::cos(p.y),
                                         std::cos(2.0 * p.x) * std::sin(p.y) * (1.0 + std::sin(p.z)),
                                         std::cos(4.0 * p.x) * std::cos(p.y + p.z));

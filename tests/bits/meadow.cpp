@@ -6,7 +6,7 @@
 namespace windrow::bits {
 namespace {
 
-constexpr int k_frames = 150;
+constexpr int k_meadow_frames = 150;
 constexpr double k_frame_times[] = {1.0 / 60.0, 1.0 / 144.0, 1.0 / 30.0, 1.0 / 50.0, 1.0 / 20.0};
 
 void add_motors(Motors& motors) {
@@ -75,7 +75,7 @@ std::vector<Hash> meadow(Simd level, ParallelFor parallel_for) {
     const MotorId runner = must(wind.motors().add(WakeMotor{.position = {0.0, 0.9, 0.0}}));
     const MotorId cart = must(wind.motors().add(WakeMotor{
         .position = {0.0, 1.0, 4.0}, .radius = 1.2f, .law = WakeForce{.strength = 0.8f}, .turbulence = {.intensity = 0.2f}}));
-    for (int frame = 0; frame < k_frames; ++frame) {
+    for (int frame = 0; frame < k_meadow_frames; ++frame) {
         const glm::dvec3 player(0.11 * frame, 0.9, 3.0 * swing(frame, 40));
         must(wind.motors().move(runner, player));
         must(wind.motors().move(cart, {4.0 * swing(frame, 70), 1.0, 4.0 + 2.0 * swing(frame, 34)}));

@@ -7,7 +7,7 @@
 namespace windrow::bits {
 namespace {
 
-constexpr int k_frames = 80;
+constexpr int k_town_frames = 80;
 
 MeshData tetrahedron() {
     return {.vertices = {{-1.5f, -1.0f, -1.2f}, {1.7f, -1.0f, -1.0f}, {0.0f, -1.0f, 1.9f}, {0.2f, 2.2f, 0.0f}},
@@ -84,7 +84,7 @@ std::vector<Hash> town(Simd level, ParallelFor parallel_for) {
     const Town town = build(wind.obstacles());
     (void)must(wind.motors().add(OmniMotor{.position = {-3.0, 4.0, 2.0}, .speed = 2.0f}));
     const MotorId wake = must(wind.motors().add(WakeMotor{.position = {-9.0, 3.5, 0.0}, .radius = 1.2f}));
-    for (int frame = 0; frame < k_frames; ++frame) {
+    for (int frame = 0; frame < k_town_frames; ++frame) {
         const double turn = 0.2 * frame;
         must(wind.obstacles().move(town.mill, {8.0, 5.0, -2.0}, {1.0f, static_cast<float>(0.3 * turn), 0.2f, -0.4f}));
         const glm::dvec3 train(-9.0 + 0.13 * frame, 3.5, 1.5 * swing(frame, 50));

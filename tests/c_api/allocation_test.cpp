@@ -15,7 +15,7 @@ using windrow::test::Failing;
 using windrow::test::FailingMemory;
 
 template <class Struct, class Init>
-Struct initial(const Init& init) {
+Struct counted_initial(const Init& init) {
     Struct value;
     EXPECT_EQ(init(&value, sizeof value), WINDROW_OK);
     return value;
@@ -52,8 +52,8 @@ void fail_each(
 
 TEST(CApiAllocation, EachFailsInTurn) {
     const std::int64_t before = windrow::test::live_bytes;
-    auto config = initial<windrow_config>(windrow_config_init);
-    auto profile = initial<windrow_log_profile>(windrow_log_profile_init);
+    auto config = counted_initial<windrow_config>(windrow_config_init);
+    auto profile = counted_initial<windrow_log_profile>(windrow_log_profile_init);
     config.cells = {12, 8, 12};
     config.ambient = {2.0f, 0.0f, 0.0f};
     config.profile = &profile;
@@ -62,12 +62,12 @@ TEST(CApiAllocation, EachFailsInTurn) {
         "windrow_wind_create", [&] { return windrow_wind_create(&config, &wind); }, [&] { windrow_wind_destroy(wind); });
     ASSERT_EQ(windrow_wind_create(&config, &wind), WINDROW_OK);
 
-    const auto wake = initial<windrow_wake_motor>(windrow_wake_motor_init);
+    const auto wake = counted_initial<windrow_wake_motor>(windrow_wake_motor_init);
     windrow_motor_id id;
     fail_each(
         "windrow_wind_add_wake", [&] { return windrow_wind_add_wake(wind, &wake, &id); },
         [&] { (void)windrow_wind_remove_motor(wind, id); });
-    const auto block = initial<windrow_obstacle>(windrow_obstacle_init);
+    const auto block = counted_initial<windrow_obstacle>(windrow_obstacle_init);
     windrow_obstacle_id house;
     fail_each(
         "windrow_wind_add_obstacle", [&] { return windrow_wind_add_obstacle(wind, &block, &house); },
@@ -95,18 +95,18 @@ TEST(CApiAllocation, EachFailsInTurn) {
     windrow_event_log* log = nullptr;
     fail_each(
         "windrow_event_log_create", [&] { return windrow_event_log_create(&log); }, [&] { windrow_event_log_destroy(log); });
-    auto got = initial<windrow_config>(windrow_config_init);
+    auto got = counted_initial<windrow_config>(windrow_config_init);
     fail_each("windrow_wind_config", [&] { return windrow_wind_config(wind, &got); });
     windrow_ambient_wind* around = nullptr;
     fail_each(
         "windrow_ambient_wind_of", [&] { return windrow_ambient_wind_of(wind, 0, &around); },
         [&] { windrow_ambient_wind_destroy(around); });
-    const auto blades_settings = initial<windrow_blade_settings>(windrow_blade_settings_init);
+    const auto blades_settings = counted_initial<windrow_blade_settings>(windrow_blade_settings_init);
     windrow_blades* blades = nullptr;
     fail_each(
         "windrow_blades_create", [&] { return windrow_blades_create(&blades_settings, &blades); },
         [&] { windrow_blades_destroy(blades); });
-    auto ground_config = initial<windrow_ground_config>(windrow_ground_config_init);
+    auto ground_config = counted_initial<windrow_ground_config>(windrow_ground_config_init);
     ground_config.texels = 16;
     ground_config.blend_width = 0.5f;
     windrow_ground* ground = nullptr;
@@ -120,7 +120,7 @@ TEST(CApiAllocation, EachFailsInTurn) {
 
 // A sentence that does not fit into memory is still a sentence.
 TEST(CApiAllocation, OfASentence) {
-    auto config = initial<windrow_config>(windrow_config_init);
+    auto config = counted_initial<windrow_config>(windrow_config_init);
     config.cell_size = -1.0f;
     windrow_wind* wind = nullptr;
     const FailingMemory none(0, Failing::from_then_on);

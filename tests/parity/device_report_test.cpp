@@ -136,9 +136,9 @@ TEST_F(DeviceReport, ARunThatIsCutKeepsTheSectionsBeforeIt) {
         EXPECT_EQ(file.path().filename(), "report.json") << "no part is left";
 }
 
-// All sections. A software device takes a minute where the machine is free.
+// All sections, in the time of a software device.
 TEST_F(DeviceReport, AQuickReportHasItsFigures) {
-    const CommandOutcome outcome = report({"--quick", "--seconds", "40"});
+    const CommandOutcome outcome = report({"--quick", "--seconds", test::whole_sweeps() ? "40" : "10"});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.err << outcome.out;
     const nlohmann::json found = json();
     EXPECT_TRUE(found["complete"]);

@@ -156,7 +156,7 @@ TEST_F(WindBarriers, EachIsMissedWhereItIsLeftOutAmongObstacles) {
     Config config{.cells = {8, 6, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .max_substeps = 1};
     config.roughness.emplace();
     config.pressure_solves = 2;
-    try_all("obstacles", 65, config, obstacles, test::whole_sweeps() ? 2 : 5);
+    try_all("obstacles", 65, config, obstacles, test::whole_sweeps() ? 2 : 9);
 }
 
 } // namespace

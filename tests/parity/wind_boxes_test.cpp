@@ -12,6 +12,8 @@ struct BoxStory {
     double bound = 1e-5;
 };
 
+const int k_steps = test::whole_sweeps() ? 100 : 30; // a hundred on every run in scenarios_test.cpp
+
 // Boundaries of every kind in two mixes, each with an axis that follows.
 Config mixed_box(glm::ivec3 cells, bool floor) {
     Config config{.cells = cells, .ambient = {2.0f, 0.0f, 1.0f}};
@@ -60,17 +62,17 @@ class WindBoxes : public WindParity {
 TEST_F(WindBoxes, OfSixteenCubed) {
     for (const bool floor : {true, false})
         for (const bool ticks : {true, false})
-            live({"16x16x16", {16, 16, 16}, 100}, floor, ticks);
+            live({"16x16x16", {16, 16, 16}, k_steps}, floor, ticks);
 }
 
 TEST_F(WindBoxes, OfTheDefault) {
-    live({"32x16x32", {32, 16, 32}, 100}, true, true);
-    live({"32x16x32", {32, 16, 32}, 100}, false, false);
+    live({"32x16x32", {32, 16, 32}, k_steps}, true, true);
+    live({"32x16x32", {32, 16, 32}, k_steps}, false, false);
 }
 
 TEST_F(WindBoxes, OfOddSizes) {
     for (const bool floor : {true, false})
-        live({"17x9x23", {17, 9, 23}, 100}, floor, floor);
+        live({"17x9x23", {17, 9, 23}, k_steps}, floor, floor);
 }
 
 // The jet's way is long enough here to roll up: on the CPU alone a nozzle faster by 5e-6 ends 1.8e-5 apart.

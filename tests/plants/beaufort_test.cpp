@@ -12,7 +12,7 @@
 namespace windrow {
 namespace {
 
-constexpr double k_degrees = 180.0 / 3.14159265358979323846;
+constexpr double k_beaufort_degrees = 180.0 / 3.14159265358979323846;
 
 struct Plant {
     const char* name;
@@ -27,12 +27,12 @@ double at_height(double wind, double height) {
 }
 
 double lean(const Plant& plant, double wind) {
-    return static_cast<double>(bend_angle(plant.drag, static_cast<float>(at_height(wind, plant.height)))) * k_degrees;
+    return static_cast<double>(bend_angle(plant.drag, static_cast<float>(at_height(wind, plant.height)))) * k_beaufort_degrees;
 }
 
 // [m] How far the tip moves from calm: L Ca / 8 for small bends, by 0.75 of the tip's angle; the arc's chord for large ones.
 double tip_way(const Plant& plant, double wind) {
-    return 0.75 * static_cast<double>(plant.drag.length) * lean(plant, wind) / k_degrees;
+    return 0.75 * static_cast<double>(plant.drag.length) * lean(plant, wind) / k_beaufort_degrees;
 }
 
 const Plant k_plants[] = {{"grass", grass(), 0.2},

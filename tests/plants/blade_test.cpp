@@ -16,7 +16,7 @@ namespace {
 
 using test::Random;
 
-constexpr double k_degrees = 180.0 / 3.14159265358979323846;
+constexpr double k_blade_degrees = 180.0 / 3.14159265358979323846;
 
 Blades blades(const BladeSettings& settings) {
     auto made = Blades::create(settings);
@@ -152,7 +152,7 @@ TEST(Blade, LeansAlongTheWind) {
         const auto off = [&](const Blades& kind, glm::vec3 blowing) {
             const glm::dvec3 tip(kind.vertex(key, kind.load(key, blowing), 1.0f, 0.0f).position);
             const double turn = std::atan2(tip.z, tip.x) - azimuth;
-            return std::abs(std::remainder(turn, 6.283185307179586)) * k_degrees;
+            return std::abs(std::remainder(turn, 6.283185307179586)) * k_blade_degrees;
         };
         most = std::max(most, off(straight, wind));
         own_in_storm = std::max(own_in_storm, off(grass, wind * (40.0f / speed)));
@@ -200,12 +200,13 @@ TEST(Blade, NormalsAndTangentsAreThePositionsDerivatives) {
         };
         const PlantVertex vertex = grass.vertex(key, load, h, side);
         const glm::dvec3 normal = glm::normalize(glm::cross(at(h, 1.0f) - at(h, -1.0f), along(side)));
-        const double off = std::acos(std::clamp(std::abs(glm::dot(normal, glm::dvec3(vertex.normal))), 0.0, 1.0)) * k_degrees;
+        const double off =
+            std::acos(std::clamp(std::abs(glm::dot(normal, glm::dvec3(vertex.normal))), 0.0, 1.0)) * k_blade_degrees;
         double& worst = twists ? twisted_error : own ? both_error : straight_error;
         worst = std::max(worst, off);
         tangent_error = std::max(
-            tangent_error,
-            std::acos(std::clamp(glm::dot(glm::normalize(along(0.0f)), glm::dvec3(vertex.tangent)), -1.0, 1.0)) * k_degrees);
+            tangent_error, std::acos(std::clamp(glm::dot(glm::normalize(along(0.0f)), glm::dvec3(vertex.tangent)), -1.0, 1.0)) *
+                               k_blade_degrees);
     }
     // What the differences themselves leave is about 0.1 degrees.
     WINDROW_EXPECT_FIGURE("plants/blade/normal_off_degrees_one_plane", straight_error, 0.5);

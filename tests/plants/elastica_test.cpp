@@ -16,7 +16,7 @@ using test::Elastica;
 using test::elastica_of_tip;
 
 constexpr double k_half_turn = 3.14159265358979323846;
-constexpr double k_degrees = 180.0 / k_half_turn;
+constexpr double k_elastica_degrees = 180.0 / k_half_turn;
 
 double tip_of(double cauchy) {
     return 0.5 * k_half_turn * static_cast<double>(numerics::windrow_tip_fraction(static_cast<float>(cauchy)));
@@ -66,7 +66,7 @@ TEST(Elastica, TheTipAngleIsWithinAFractionOfADegree) {
         max_relative = std::max(max_relative, std::abs(tip_of(cauchy) / exact - 1.0));
     }
     // Bounds: what the fit left when it was made (0.098 degrees, 0.24 %), rounded up.
-    WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_degrees", most * k_degrees, 0.1);
+    WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_degrees", most * k_elastica_degrees, 0.1);
     WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_relative", max_relative, 0.0025);
 }
 

@@ -26,7 +26,7 @@ GroundMemory trodden(const GroundConfig& config) {
     return *std::move(made);
 }
 
-void advance(GroundMemory& ground, double duration, glm::vec2 lean = {0.0f, 0.0f}) {
+void recover(GroundMemory& ground, double duration, glm::vec2 lean = {0.0f, 0.0f}) {
     const auto done = ground.advance({.duration = duration, .wind_lean = lean});
     ASSERT_TRUE(done) << done.error();
 }
@@ -40,7 +40,7 @@ TEST(GroundRecovery, TrailFadesByItsTimeConstantAndHasNoEnd) {
         // Least squares of log(trail) over ten time constants, to 1/22000 of where it began.
         double n = 0.0, t_sum = 0.0, y_sum = 0.0, tt = 0.0, ty = 0.0, largest_drop = 0.0, before = first;
         for (int frame = 1; frame <= static_cast<int>(10.0f * tau) * rate; ++frame) {
-            advance(ground, 1.0 / rate);
+            recover(ground, 1.0 / rate);
             const double trail = static_cast<double>(ground.at(k_place).trail), time = static_cast<double>(frame) / rate;
             largest_drop = std::max(largest_drop, (before - trail) / before);
             EXPECT_LE(trail, before);
@@ -67,7 +67,7 @@ TEST(GroundRecovery, NothingIsLeftInTheEnd) {
     GroundMemory ground = trodden({.texels = 8, .blend_width = 0.3f});
     int lasted = 0;
     for (int frame = 0; frame < 72000; ++frame) {
-        advance(ground, 1.0 / 60.0);
+        recover(ground, 1.0 / 60.0);
         lasted += ground.at(k_place).trail > 0.0f ? 1 : 0;
     }
     for (const numerics::WindrowGround& texel : detail::GroundState::of(ground)) {
@@ -86,9 +86,9 @@ TEST(GroundRecovery, TrailOutlivesShiftsOfTheWindow) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> place(-4.0, 4.0);
     for (int frame = 0; frame < 1000; ++frame) {
-        advance(stays, 0.06);
+        recover(stays, 0.06);
         ASSERT_TRUE(wanders.follow({place(random), 0.0, place(random)}));
-        advance(wanders, 0.06);
+        recover(wanders, 0.06);
         ASSERT_EQ(stays.at(k_place).trail, wanders.at(k_place).trail) << frame;
         ASSERT_EQ(stays.at(k_place).lean, wanders.at(k_place).lean) << frame;
     }
@@ -104,7 +104,7 @@ TEST(GroundRecovery, ReleasedPlantsSwingAtTheirFrequency) {
     std::vector<double> crossings;
     double before = static_cast<double>(ground.at(k_place).lean.y - rest);
     for (int frame = 1; frame <= 2400; ++frame) {
-        advance(ground, 1.0 / 240.0);
+        recover(ground, 1.0 / 240.0);
         const double now = static_cast<double>(ground.at(k_place).lean.y - rest);
         if (frame < 480 && before > 0.0 && now <= 0.0)
             crossings.push_back((frame - now / (now - before)) / 240.0);
@@ -171,7 +171,7 @@ double released_off(int rate, float trample_time) {
                              c = slope(time + 0.5 * h, state + 0.5 * h * b), d = slope(last, state + h * c);
             state += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
         }
-        advance(*made, 1.0 / rate, {wind(static_cast<double>(frame) / rate), 0.0f});
+        recover(*made, 1.0 / rate, {wind(static_cast<double>(frame) / rate), 0.0f});
         off = std::max(off, std::abs(static_cast<double>(detail::GroundState::of(*made)[slot].lean.x) - state.x));
     }
     return off;
@@ -220,14 +220,14 @@ TEST(GroundRecovery, WindMovesTheGroundAlikeAtAnyFrameRate) {
         auto made = GroundMemory::create({.texels = 8, .blend_width = 0.4f});
         EXPECT_TRUE(made);
         std::vector<glm::vec2> found;
-        advance(*made, 0.0);
+        recover(*made, 0.0);
         for (int frame = 1; frame <= 6 * rate; ++frame) {
             const int second = (frame - 1) / rate;
             const auto lean = [](int s) {
                 return glm::vec2(0.6f * std::sin(2.1f * static_cast<float>(s)), 0.3f * static_cast<float>(s % 3));
             };
             const float share = static_cast<float>(frame - second * rate) / static_cast<float>(rate);
-            advance(*made, 1.0 / rate, lean(second) + share * (lean(second + 1) - lean(second)));
+            recover(*made, 1.0 / rate, lean(second) + share * (lean(second + 1) - lean(second)));
             if (frame % rate == 0)
                 found.push_back(made->at({0.0, 0.0, 0.0}).lean);
         }
@@ -294,7 +294,7 @@ TEST(GroundRecovery, PreviousIsTheLastFrameAndTheirDifferenceTheVelocity) {
         for (int frame = 0; frame * h < 0.5; ++frame) {
             const GroundSample last = ground.at(k_place);
             const glm::vec2 velocity = texel().velocity;
-            advance(ground, h);
+            recover(ground, h);
             ASSERT_EQ(ground.previous_at(k_place).lean, last.lean);
             ASSERT_EQ(ground.previous_at(k_place).trail, last.trail);
             const glm::dvec2 moved = glm::dvec2(ground.at(k_place).lean) - glm::dvec2(ground.previous_at(k_place).lean);

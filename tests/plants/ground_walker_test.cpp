@@ -14,18 +14,18 @@ namespace {
 
 const glm::dvec3 k_texel(0.125, 0.0, 0.125); // a texel's centre
 
-GroundMemory ground_of(const GroundConfig& config) {
+GroundMemory walked_ground(const GroundConfig& config) {
     auto made = GroundMemory::create(config);
     EXPECT_TRUE(made) << (made ? "" : made.error());
     return *std::move(made);
 }
 
-void advance(GroundMemory& ground, double duration, std::span<const GroundWalker> walkers = {}) {
+void walk_on(GroundMemory& ground, double duration, std::span<const GroundWalker> walkers = {}) {
     const auto done = ground.advance({.duration = duration, .walkers = walkers});
     ASSERT_TRUE(done) << done.error();
 }
 
-GroundWalker standing(glm::dvec3 place, float weight = 1.0f) {
+GroundWalker walker_at(glm::dvec3 place, float weight = 1.0f) {
     return {.position = place, .previous = place, .weight = weight};
 }
 
@@ -35,18 +35,18 @@ GroundWalker standing(glm::dvec3 place, float weight = 1.0f) {
 // faded below what it stands with, and that is what lies there, as for one who has only stood. Bound: the share by which a trail
 // must be behind before it is renewed.
 TEST(GroundWalkers, WhoStopsOnATrailHoldsIt) {
-    GroundMemory passed = ground_of({}), fresh = ground_of({});
+    GroundMemory passed = walked_ground({}), fresh = walked_ground({});
     const glm::dvec3 stop = k_texel + glm::dvec3(0.2, 0.0, 0.05);
-    GroundWalker walker = standing(stop - glm::dvec3(1.5, 0.0, 0.0));
+    GroundWalker walker = walker_at(stop - glm::dvec3(1.5, 0.0, 0.0));
     for (int frame = 0; frame < 60; ++frame) {
         walker.previous = walker.position;
         walker.position.x = stop.x - 1.5 * (59 - frame) / 60.0;
-        advance(passed, 1.0 / 60.0, std::span(&walker, 1));
+        walk_on(passed, 1.0 / 60.0, std::span(&walker, 1));
     }
-    walker = standing(stop);
+    walker = walker_at(stop);
     for (int frame = 0; frame < 3600; ++frame) {
-        advance(passed, 1.0 / 60.0, std::span(&walker, 1));
-        advance(fresh, 1.0 / 60.0, std::span(&walker, 1));
+        walk_on(passed, 1.0 / 60.0, std::span(&walker, 1));
+        walk_on(fresh, 1.0 / 60.0, std::span(&walker, 1));
     }
     const double stood = static_cast<double>(fresh.at(k_texel).trail), held = static_cast<double>(passed.at(k_texel).trail);
     test::figure("ground/stands/trail_of_who_only_stood", stood);
@@ -56,27 +56,27 @@ TEST(GroundWalkers, WhoStopsOnATrailHoldsIt) {
 
 // One who stops right on a texel's centre pushes it nowhere; what the way there has left is held.
 TEST(GroundWalkers, WhoStopsRightOnATexelHoldsItsTrail) {
-    GroundMemory ground = ground_of({});
-    GroundWalker walker = standing(k_texel - glm::dvec3(0.5, 0.0, 0.0));
+    GroundMemory ground = walked_ground({});
+    GroundWalker walker = walker_at(k_texel - glm::dvec3(0.5, 0.0, 0.0));
     walker.position = k_texel;
-    advance(ground, 1.0 / 60.0, std::span(&walker, 1));
+    walk_on(ground, 1.0 / 60.0, std::span(&walker, 1));
     const double before = static_cast<double>(ground.at(k_texel).trail);
-    walker = standing(k_texel);
+    walker = walker_at(k_texel);
     for (int frame = 0; frame < 3600; ++frame)
-        advance(ground, 1.0 / 60.0, std::span(&walker, 1));
+        walk_on(ground, 1.0 / 60.0, std::span(&walker, 1));
     const double held = static_cast<double>(ground.at(k_texel).trail);
     WINDROW_EXPECT_FIGURE("ground/stands/lost_right_under", 1.0 - held / before, 1e-5);
 }
 
 // One who treads hard and leaves, while another who treads lightly stays.
 TEST(GroundWalkers, InACrowdTheTrailIsOfTheStrongestThatHasNotFaded) {
-    GroundMemory crowd = ground_of({}), alone = ground_of({});
-    const GroundWalker light = standing(k_texel + glm::dvec3(0.0, 0.0, 0.1), 0.4f);
-    const GroundWalker both[] = {standing(k_texel + glm::dvec3(0.1, 0.0, 0.0)), light};
-    advance(crowd, 1.0 / 60.0, both);
+    GroundMemory crowd = walked_ground({}), alone = walked_ground({});
+    const GroundWalker light = walker_at(k_texel + glm::dvec3(0.0, 0.0, 0.1), 0.4f);
+    const GroundWalker both[] = {walker_at(k_texel + glm::dvec3(0.1, 0.0, 0.0)), light};
+    walk_on(crowd, 1.0 / 60.0, both);
     for (int frame = 0; frame < 3600; ++frame) {
-        advance(crowd, 1.0 / 60.0, std::span(&light, 1));
-        advance(alone, 1.0 / 60.0, std::span(&light, 1));
+        walk_on(crowd, 1.0 / 60.0, std::span(&light, 1));
+        walk_on(alone, 1.0 / 60.0, std::span(&light, 1));
     }
     const double held = static_cast<double>(crowd.at(k_texel).trail), stood = static_cast<double>(alone.at(k_texel).trail);
     EXPECT_GT(stood, 0.1);
@@ -87,9 +87,9 @@ TEST(GroundWalkers, InACrowdTheTrailIsOfTheStrongestThatHasNotFaded) {
 
 // A lean is a bend in radians, as stems take it: grass that the default walker has pressed lies, the bend's tip 80 degrees down.
 TEST(GroundWalkers, PressedGrassLies) {
-    GroundMemory ground = ground_of({.texel_size = 0.01f, .blend_width = 0.1f});
+    GroundMemory ground = walked_ground({.texel_size = 0.01f, .blend_width = 0.1f});
     const GroundWalker walker{.position = {0.055, 0.0, 0.005}, .previous = {0.055, 0.0, 0.005}};
-    advance(ground, 1.0 / 60.0, std::span(&walker, 1));
+    walk_on(ground, 1.0 / 60.0, std::span(&walker, 1));
     const glm::vec2 lean = ground.at({0.005, 0.0, 0.005}).lean; // five texels beside the middle
     const numerics::WindrowStem stem =
         numerics::windrow_stem({0.0f, 1.0f, 0.0f}, 1.0f, {lean.x, 0.0f, lean.y}, glm::vec3(0.0f), 0.0f, 1.5f);
@@ -100,9 +100,9 @@ TEST(GroundWalkers, PressedGrassLies) {
     EXPECT_LT(degrees, 90.0);
 
     // In texels as wide as half the walker's radius the inmost one takes a good part of the push.
-    GroundMemory coarse = ground_of({});
+    GroundMemory coarse = walked_ground({});
     const GroundWalker walks{.position = {1.0, 0.0, 0.125}, .previous = {-1.0, 0.0, 0.125}};
-    advance(coarse, 1.0 / 60.0, std::span(&walks, 1));
+    walk_on(coarse, 1.0 / 60.0, std::span(&walks, 1));
     const auto down = [](glm::vec2 bend) { return static_cast<double>(glm::length(bend)) * 180.0 / std::numbers::pi; };
     test::figure("ground/push/default_texels_degrees_on_the_path", down(coarse.at({0.125, 0.0, 0.125}).lean));
     test::figure("ground/push/default_texels_degrees_a_texel_beside", down(coarse.at({0.125, 0.0, 0.375}).lean));
@@ -129,37 +129,37 @@ TEST(GroundWalkers, HandsAndFeetPressAlike) {
 
 // A foot of 5 cm at the corner of four texels of 25 cm.
 TEST(GroundWalkers, ASmallFootBetweenTexelsIsFelt) {
-    GroundMemory ground = ground_of({});
+    GroundMemory ground = walked_ground({});
     const GroundWalker foot{.radius = 0.05f};
-    advance(ground, 1.0 / 60.0, std::span(&foot, 1));
+    walk_on(ground, 1.0 / 60.0, std::span(&foot, 1));
     EXPECT_GT(test::figure("ground/small_foot/trample", static_cast<double>(ground.at(k_texel).trample)), 0.2);
     EXPECT_EQ(ground.at({0.375, 0.0, 0.125}).trample, 0.0f); // the next texel is further than one texel
 }
 
 // More than there is room for: the first ones count, and the host is told.
 TEST(GroundWalkers, OneTooManyIsLeftOutAlone) {
-    GroundMemory ground = ground_of({.max_walkers = 2});
-    const GroundWalker crowd[] = {standing({-4.0, 0.0, 0.0}), standing({100.0, 0.0, 0.0}), standing({0.0, 0.0, 0.0}),
-                                  standing({4.0, 0.0, 0.0})}; // the second is out of the window and takes no room
-    advance(ground, 0.1, crowd);
+    GroundMemory ground = walked_ground({.max_walkers = 2});
+    const GroundWalker crowd[] = {walker_at({-4.0, 0.0, 0.0}), walker_at({100.0, 0.0, 0.0}), walker_at({0.0, 0.0, 0.0}),
+                                  walker_at({4.0, 0.0, 0.0})}; // the second is out of the window and takes no room
+    walk_on(ground, 0.1, crowd);
     EXPECT_GT(ground.at(crowd[0].position).trample, 0.5f);
     EXPECT_GT(ground.at(crowd[2].position).trample, 0.5f);
     EXPECT_EQ(ground.at(crowd[3].position).trample, 0.0f);
     EXPECT_EQ(ground.walkers_left_out(), 1);
-    advance(ground, 0.1, std::span(crowd, 3));
+    walk_on(ground, 0.1, std::span(crowd, 3));
     EXPECT_EQ(ground.walkers_left_out(), 0);
 }
 
 // Height is no part of the way: a fall from a roof is a step, a leap of 30 m aside is not.
 TEST(GroundWalkers, AFallIsNoTeleport) {
-    GroundMemory ground = ground_of({});
+    GroundMemory ground = walked_ground({});
     const GroundWalker fell{.position = {1.0, 0.0, 0.0}, .previous = {-1.0, 30.0, 0.0}};
-    advance(ground, 0.1, std::span(&fell, 1));
+    walk_on(ground, 0.1, std::span(&fell, 1));
     EXPECT_GT(ground.at({0.0, 0.0, 0.0}).trample, 0.5f);
 }
 
 TEST(GroundWalkers, AHeightThatDoesNotCountMayBeAnything) {
-    GroundMemory ground = ground_of({});
+    GroundMemory ground = walked_ground({});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const GroundWalker walker{.position = {0.0, nan, 0.0}, .previous = {0.0, nan, 0.0}};
     EXPECT_TRUE(ground.follow({1.0, nan, 2.0}));

@@ -8,7 +8,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(16, 9, 12);
+constexpr glm::ivec3 k_changing_cells(16, 9, 12);
 
 Boundary& side_of(Boundaries& boundaries, int number) {
     Boundary* const ordered[6] = {&boundaries.x_low,  &boundaries.x_high, &boundaries.y_low,
@@ -34,12 +34,12 @@ TEST(ChangingSides, EveryKindToEveryKind) {
             if (from == to)
                 continue;
             for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
-                Wind wind = made({.cells = k_cells,
+                Wind wind = made({.cells = k_changing_cells,
                                   .boundaries = all_of(k_kinds[from], 10.0f),
                                   .ambient = {15.0f, 5.0f, -6.0f},
                                   .viscosity = 0.5f,
                                   .scheme = scheme});
-                ASSERT_TRUE(wind.set_velocity(white_noise(k_cells, 8.0f, 51)));
+                ASSERT_TRUE(wind.set_velocity(white_noise(k_changing_cells, 8.0f, 51)));
                 drive(wind, {2.0, 1.0, 0.0}, {1.0f, 0.0f, 0.5f}, 20.0f);
                 Watch watch(wind, 20.0); // the fan's; wind outside and walls are slower
                 for (int n = 0; n < shortened(400); ++n) {
@@ -58,7 +58,7 @@ TEST(ChangingSides, EveryKindToEveryKind) {
 // One side alone, the others as they are; periodic ones change in pairs.
 TEST(ChangingSides, OneSideAtATime) {
     for (const BoundaryKind others : {BoundaryKind::open, BoundaryKind::free_slip, BoundaryKind::no_slip}) {
-        Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(others), .ambient = {15.0f, 5.0f, -6.0f}});
+        Wind wind = made({.cells = k_changing_cells, .boundaries = Boundaries::all(others), .ambient = {15.0f, 5.0f, -6.0f}});
         drive(wind, {-3.0, 0.0, 1.0}, {-1.0f, 0.2f, 0.5f}, 20.0f);
         Watch watch(wind, 20.0);
         for (int n = 0; n < shortened(600); ++n) {

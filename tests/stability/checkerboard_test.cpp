@@ -8,8 +8,8 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(32, 16, 32);
-constexpr double k_dt = 1.0 / 60.0;
+constexpr glm::ivec3 k_board_cells(32, 16, 32);
+constexpr double k_board_dt = 1.0 / 60.0;
 constexpr float k_size = 0.01f; // [m/s]
 
 struct Board {
@@ -17,7 +17,7 @@ struct Board {
     glm::vec3 breeze;
 
     Board(const Boundaries& boundaries, float relaxation_time, glm::vec3 wind_outside = glm::vec3(0.0f))
-        : wind(made({.cells = k_cells,
+        : wind(made({.cells = k_board_cells,
                      .boundaries = boundaries,
                      .ambient = wind_outside,
                      .viscosity = 0.0f,
@@ -25,7 +25,7 @@ struct Board {
                      .sleep_speed = 0.0f})),
           breeze(wind.ambient()) {
         Field field(wind.field().size());
-        for_each_cell(k_cells, [&](int i, int j, int k) {
+        for_each_cell(k_board_cells, [&](int i, int j, int k) {
             field[wind.box().index(i, j, k)] = glm::vec4(breeze + glm::vec3((i + j + k) % 2 == 0 ? k_size : -k_size), 0.0f);
         });
         EXPECT_TRUE(wind.set_velocity(field));
@@ -42,7 +42,7 @@ struct Board {
     /// The board alone: largest component of the mean of (-1)^(i+j+k) u, over the start's.
     [[nodiscard]] double mode() const {
         glm::dvec3 sum(0.0);
-        for_each_cell(k_cells, [&](int i, int j, int k) {
+        for_each_cell(k_board_cells, [&](int i, int j, int k) {
             sum += ((i + j + k) % 2 == 0 ? 1.0 : -1.0) * glm::dvec3(wind.field()[wind.box().index(i, j, k)]);
         });
         sum = glm::abs(sum) / static_cast<double>(wind.field().size()) / static_cast<double>(k_size);
@@ -68,7 +68,7 @@ TEST(Checkerboard, StaysInStillAirThatDoesNotSettle) {
         Watch watch(board.wind);
         const std::string name = std::string("checkerboard_unsettled_") + box.name;
         for (int n = 0; n < shortened(3'600); ++n) {
-            watch.step(k_dt);
+            watch.step(k_board_dt);
             if (n == 599)
                 figure("stability/" + name + "/left_after_10_s", board.left());
         }
@@ -84,7 +84,7 @@ TEST(Checkerboard, DiesWithTheSettlingTime) {
     for (const auto& box : k_boxes) {
         Board board(Boundaries::all(box.kind), 20.0f);
         Watch watch(board.wind);
-        take_steps(watch, 3'600, k_dt);
+        take_steps(watch, 3'600, k_board_dt);
         const std::string name = std::string("checkerboard_settled_") + box.name;
         watch.judge(name, bounds_of(box.kind));
         WINDROW_EXPECT_FIGURE("stability/" + name + "/left_after_60_s", board.left(),
@@ -102,14 +102,14 @@ TEST(Checkerboard, DiesInAnyBreeze) {
     const glm::vec3 breeze(0.5f, 0.0f, 0.3f);
     double factor = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double t = static_cast<double>(breeze[axis]) * k_dt;
+        const double t = static_cast<double>(breeze[axis]) * k_board_dt;
         factor *= (1.0 - 2.0 * t) * (3.0 + 2.0 * t * (1.0 - t)) / 3.0;
     }
     const double rounding = 0.5 * std::ldexp(1.0, -24) / (1.0 - factor) / static_cast<double>(k_size); // of 0.5 m/s
     for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::periodic}) {
         Board board(Boundaries::all(kind), 0.0f, breeze);
         Watch watch(board.wind);
-        take_steps(watch, 600, k_dt);
+        take_steps(watch, 600, k_board_dt);
         const std::string name = std::string("checkerboard_breeze_") + (kind == BoundaryKind::open ? "open" : "periodic");
         watch.judge(name, {1.001, 1.1});
         WINDROW_EXPECT_FIGURE("stability/" + name + "/board_left_after_10_s", board.mode(),

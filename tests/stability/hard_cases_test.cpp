@@ -13,14 +13,14 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(32, 16, 32);
+constexpr glm::ivec3 k_hard_cells(32, 16, 32);
 
 struct HardStart {
     const char* name;
     Field (*field)(glm::ivec3, float, std::uint32_t);
     double speed_bound;
 };
-constexpr HardStart k_starts[] = {{"smooth", smooth_noise, 1.1}, {"white", white_noise, 1.1}, {"shear", shear_layer, 1.5}};
+constexpr HardStart k_hard_starts[] = {{"smooth", smooth_noise, 1.1}, {"white", white_noise, 1.1}, {"shear", shear_layer, 1.5}};
 
 struct Growth {
     Worst worst;
@@ -31,14 +31,14 @@ struct Growth {
 // All figures relative to the start's.
 void grow(Growth& growth, const HardStart& start, int steps, const std::function<double(int step)>& cells_per_step,
           Scheme scheme = Scheme::second_order, std::uint32_t seed = 7) {
-    Wind wind = made({.cells = k_cells,
+    Wind wind = made({.cells = k_hard_cells,
                       .boundaries = Boundaries::all(BoundaryKind::periodic),
                       .viscosity = 0.0f,
                       .relaxation_time = 0.0f,
                       .scheme = scheme,
                       .max_cfl = 1e6f,
                       .max_substeps = 1});
-    EXPECT_TRUE(wind.set_velocity(projected(start.field(k_cells, 1.0f, seed), wind.box())));
+    EXPECT_TRUE(wind.set_velocity(projected(start.field(k_hard_cells, 1.0f, seed), wind.box())));
     float component = 0.0f;
     for (const glm::vec4& u : wind.field())
         component = std::max({component, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
@@ -66,7 +66,7 @@ void expect_bounded(const std::string& name, const HardStart& start, int steps,
 }
 
 void expect_bounded_at(const char* name, double cfl, int steps, double energy_bound) {
-    for (const HardStart& start : k_starts)
+    for (const HardStart& start : k_hard_starts)
         expect_bounded(
             name, start, steps, [=](int) { return cfl; }, energy_bound);
 }
@@ -89,7 +89,7 @@ TEST(HardCases, CflFifty) {
 
 // 1e-4 to 1 s at 1 m/s and 1 m: the ratio of neighbouring steps reaches 10^4, which the history must bear.
 TEST(HardCases, StepsOfAnyLengthMixed) {
-    for (const HardStart& start : k_starts) {
+    for (const HardStart& start : k_hard_starts) {
         Random random(17);
         expect_bounded(
             "dt_1e-4_to_1", start, 3'000, [&](int) { return random.spread(1e-4, 1.0); }, 1.001);
@@ -107,14 +107,14 @@ TEST(HardCases, ShearLayersOfEverySort) {
         Growth growth;
         for (std::uint32_t seed = 1; seed <= 8; ++seed)
             grow(
-                growth, k_starts[2], 300, [cells = cfl](int) { return cells; }, Scheme::second_order, seed);
+                growth, k_hard_starts[2], 300, [cells = cfl](int) { return cells; }, Scheme::second_order, seed);
         growth.worst.judge("shear_layers_cfl_" + std::to_string(static_cast<int>(cfl)), {energy_bound, 2.0});
     }
 }
 
 // The energy's bounds hold for the classic split as well; its speeds have none of their own but that of a shear layer.
 TEST(HardCases, TheClassicSplitIsBoundedToo) {
-    for (HardStart start : k_starts) {
+    for (HardStart start : k_hard_starts) {
         start.speed_bound = 1.5;
         expect_bounded(
             "stable_fluids_cfl_2", start, 2'000, [](int) { return 2.0; }, 1.001, Scheme::stable_fluids);

@@ -8,14 +8,14 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(20, 12, 16);
-constexpr float k_speed = 30.0f;
+constexpr glm::ivec3 k_churned_cells(20, 12, 16);
+constexpr float k_churn_speed = 30.0f;
 
 Envelope some_envelope(Random& random) {
     return random.integer(0, 1) == 0 ? Envelope{} : Envelope{.attack = 0.01f, .hold = 0.02f, .decay = 0.01f};
 }
 
-/// Any kind of motor, anywhere in the box and near it. Sources are so weak that their flow is below k_speed in free air, ten of
+/// Any kind of motor, anywhere in the box and near it. Sources are so weak that their flow is below k_churn_speed in free air, ten of
 /// them together.
 Motor some_motor(Random& random) {
     const glm::dvec3 position = random.point(10.0);
@@ -25,17 +25,17 @@ Motor some_motor(Random& random) {
         return DirectionalMotor{.position = position,
                                 .direction = direction,
                                 .region = Sphere{random.uniform(0.5f, 4.0f)},
-                                .law = Drive{k_speed, 1e6f},
+                                .law = Drive{k_churn_speed, 1e6f},
                                 .envelope = some_envelope(random)};
     case 1:
         return JetMotor{.position = position,
                         .direction = direction,
                         .start_radius = 1.5f,
                         .end_radius = 2.5f,
-                        .law = Drive{k_speed, 1e3f},
+                        .law = Drive{k_churn_speed, 1e3f},
                         .envelope = some_envelope(random)};
     case 2:
-        return VortexMotor{.position = position, .axis = direction, .law = Drive{-k_speed, 1e3f}};
+        return VortexMotor{.position = position, .axis = direction, .law = Drive{-k_churn_speed, 1e3f}};
     case 3:
         return OmniMotor{.position = position, .radius = 2.0f, .speed = random.uniform(-2.0f, 2.0f)};
     case 4:
@@ -48,8 +48,8 @@ Motor some_motor(Random& random) {
 TEST(MotorChurn, BornAndKilledInEveryStep) {
     for (int kind = 0; kind < 4; ++kind)
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
-            Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind]), .scheme = scheme});
-            Watch watch(wind, double(k_speed));
+            Wind wind = made({.cells = k_churned_cells, .boundaries = Boundaries::all(k_kinds[kind]), .scheme = scheme});
+            Watch watch(wind, double(k_churn_speed));
             Random random(61);
             std::vector<MotorId> living;
             for (int n = 0; n < shortened(800); ++n) {
@@ -60,7 +60,8 @@ TEST(MotorChurn, BornAndKilledInEveryStep) {
                 for (int m = 0; m < count; ++m)
                     living.push_back(added(wind, some_motor(random)));
                 for (const MotorId id : living)
-                    if (wind.motors().find(id)->index() == 1) { // a wake acts while it moves: at k_speed at most, for 1/60 s
+                    if (wind.motors().find(id)->index() ==
+                        1) { // a wake acts while it moves: at k_churn_speed at most, for 1/60 s
                         ASSERT_TRUE(wind.motors().move(id, position_of(*wind.motors().find(id)) + 0.5 * random.direction()));
                     }
                 watch.step(n % 4 == 3 ? 0.25 : 1.0 / 60.0);
@@ -73,7 +74,7 @@ TEST(MotorChurn, BornAndKilledInEveryStep) {
 
 TEST(MotorChurn, MovedFarInEveryStep) {
     for (int kind = 0; kind < 4; ++kind) {
-        Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind])});
+        Wind wind = made({.cells = k_churned_cells, .boundaries = Boundaries::all(k_kinds[kind])});
         Random random(62);
         std::vector<MotorId> motors;
         for (int n = 0; n < 12; ++n)

@@ -7,10 +7,10 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(20, 12, 16);
+constexpr glm::ivec3 k_moving_cells(20, 12, 16);
 
 TEST(MovingWindow, AShiftInEveryStep) {
-    Wind wind = made({.cells = k_cells, .ambient = {5.0f, 1.0f, -3.0f}});
+    Wind wind = made({.cells = k_moving_cells, .ambient = {5.0f, 1.0f, -3.0f}});
     drive(wind, {0.0, 0.0, 0.0}, {-1.0f, 0.3f, 0.0f}, 30.0f, 4.0f);
     Watch watch(wind, 30.0);
     Random random(35);
@@ -41,7 +41,7 @@ TEST(MovingWindow, GustsAndJumpsOfAnyLength) {
     for (const WindowJump jump :
          {WindowJump{"3_m", 3.0, true}, {"30_m", 30.0, true}, {"1e6_m", 1e6, true}, {"1e11_m", 1e11, false}})
         for (const bool floor : {false, true}) {
-            Wind wind = made({.cells = k_cells,
+            Wind wind = made({.cells = k_moving_cells,
                               .boundaries = floor ? Boundaries::open_over_floor() : Boundaries{},
                               .ambient = {12.0f, 0.0f, -5.0f},
                               .gusts = {.intensity = 0.5f}});
@@ -67,7 +67,8 @@ TEST(MovingWindow, GustsAndJumpsOfAnyLength) {
 
 // Nothing acts but the wind outside and the shifts: the box can hold nothing that the wind did not bring.
 TEST(MovingWindow, GustsAloneStayGusts) {
-    Wind wind = made({.cells = k_cells, .ambient = {12.0f, 0.0f, -5.0f}, .gusts = {.intensity = 0.5f}, .sleep_speed = 0.0f});
+    Wind wind =
+        made({.cells = k_moving_cells, .ambient = {12.0f, 0.0f, -5.0f}, .gusts = {.intensity = 0.5f}, .sleep_speed = 0.0f});
     Watch watch(wind, strongest(wind));
     Random random(53);
     for (int n = 0; n < shortened(1'500); ++n) {

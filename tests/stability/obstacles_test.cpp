@@ -10,7 +10,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(24, 12, 24);
+constexpr glm::ivec3 k_obstacle_cells(24, 12, 24);
 
 ObstacleId placed(Wind& wind, const Obstacle& obstacle) {
     const auto id = wind.obstacles().add(obstacle);
@@ -103,7 +103,7 @@ TEST(ObstacleStability, AnAirCellAloneIsBounded) {
 
 // The air that is in front of a body at 100 m/s must get out of its way, no faster than a few times its speed.
 TEST(ObstacleStability, BodiesAtAHundredMetresASecondAreBounded) {
-    Wind wind = made({.cells = k_cells,
+    Wind wind = made({.cells = k_obstacle_cells,
                       .boundaries = Boundaries::open_over_floor(),
                       .centre = {12.0, 6.0, 12.0},
                       .ambient = {3.0f, 0.0f, 0.0f}});
@@ -121,8 +121,8 @@ TEST(ObstacleStability, BodiesAtAHundredMetresASecondAreBounded) {
 }
 
 TEST(ObstacleStability, BodiesThatComeAndGoInEveryStepAreBounded) {
-    Wind wind =
-        made({.cells = k_cells, .centre = {12.0, 6.0, 12.0}, .ambient = {8.0f, 0.0f, 2.0f}, .gusts = {.intensity = 0.2f}});
+    Wind wind = made(
+        {.cells = k_obstacle_cells, .centre = {12.0, 6.0, 12.0}, .ambient = {8.0f, 0.0f, 2.0f}, .gusts = {.intensity = 0.2f}});
     Random random(3);
     std::vector<ObstacleId> ids;
     Watch watch(wind, 8.25);
@@ -151,7 +151,7 @@ TEST(ObstacleStability, BodiesThatComeAndGoInEveryStepAreBounded) {
 // The box follows a walk through a street; the air that stays is the same as in a box that was always there.
 TEST(ObstacleStability, AWalkThroughAStreetHasTheSameBitsAnywhereInTheWorld) {
     const auto walk = [](glm::dvec3 corner) {
-        Wind wind = made({.cells = k_cells,
+        Wind wind = made({.cells = k_obstacle_cells,
                           .boundaries = Boundaries::open_over_floor(),
                           .centre = corner + glm::dvec3(12.0, 6.0, 12.0),
                           .ambient = {6.0f, 0.0f, 1.0f}});
@@ -172,8 +172,10 @@ TEST(ObstacleStability, AWalkThroughAStreetHasTheSameBitsAnywhereInTheWorld) {
 
 TEST(ObstacleStability, TheNumberOfThreadsChangesNoBit) {
     const auto run = [](ParallelFor parallel_for) {
-        Wind wind =
-            made({.cells = k_cells, .ambient = {6.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}, .parallel_for = parallel_for});
+        Wind wind = made({.cells = k_obstacle_cells,
+                          .ambient = {6.0f, 0.0f, 1.0f},
+                          .gusts = {.intensity = 0.2f},
+                          .parallel_for = parallel_for});
         const ObstacleId door = placed(wind, {.position = {2.0, 0.0, 0.0}, .shape = Plate{{3.0f, 3.0f}}});
         placed(wind, {.position = {-4.0, -2.0, 1.0}, .shape = Sphere{2.0f}});
         for (int n = 0; n < 30; ++n) {

@@ -8,16 +8,16 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(24, 12, 16);
-constexpr float k_speed = 1000.0f;
+constexpr glm::ivec3 k_opposed_cells(24, 12, 16);
+constexpr float k_opposed_speed = 1000.0f;
 
 /// Puts the motors in; what is returned is called before each step of dt.
 using Opponents = std::function<void(double dt)> (*)(Wind& wind);
 
 std::function<void(double)> fans(Wind& wind) {
-    drive(wind, {-3.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, k_speed);
-    drive(wind, {3.0, 0.0, 0.0}, {-1.0f, 0.0f, 0.0f}, k_speed);
-    drive(wind, {0.0, 2.0, 0.0}, {0.0f, -1.0f, 0.2f}, k_speed, 1.0f);
+    drive(wind, {-3.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, k_opposed_speed);
+    drive(wind, {3.0, 0.0, 0.0}, {-1.0f, 0.0f, 0.0f}, k_opposed_speed);
+    drive(wind, {0.0, 2.0, 0.0}, {0.0f, -1.0f, 0.2f}, k_opposed_speed, 1.0f);
     return [](double) {};
 }
 
@@ -29,7 +29,7 @@ std::function<void(double)> jets(Wind& wind) {
                              .length = 5.0f,
                              .start_radius = 1.5f,
                              .end_radius = 1.5f,
-                             .law = Drive{k_speed, 1e6f}});
+                             .law = Drive{k_opposed_speed, 1e6f}});
     };
     jet({-8.0, 0.3, 0.0}, {1.0f, 0.0f, 0.0f});
     jet({8.0, -0.2, 0.4}, {-1.0f, 0.1f, 0.0f});
@@ -42,7 +42,7 @@ std::function<void(double)> wakes(Wind& wind) {
     const WakeMotor body{.position = {0.0, 0.0, 0.0}, .radius = 2.0f, .law = WakeDrive{.per_metre = 1e4f}};
     const MotorId one = added(wind, body), other = added(wind, body);
     return [&wind, one, other, at = 0.0, sign = 1.0](double dt) mutable {
-        at += sign * static_cast<double>(k_speed) * dt;
+        at += sign * static_cast<double>(k_opposed_speed) * dt;
         sign = -sign;
         EXPECT_TRUE(wind.motors().move(one, {at, 0.2, 0.0}));
         EXPECT_TRUE(wind.motors().move(other, {-at, 0.2, 0.1}));
@@ -51,13 +51,14 @@ std::function<void(double)> wakes(Wind& wind) {
 
 // All kinds with a target, and a whirl between them.
 std::function<void(double)> all_kinds(Wind& wind) {
-    drive(wind, {-4.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, k_speed);
+    drive(wind, {-4.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, k_opposed_speed);
     added(wind, JetMotor{.position = {9.0, 0.0, 0.0},
                          .direction = {-1.0f, 0.0f, 0.0f},
                          .start_radius = 1.5f,
                          .end_radius = 1.5f,
-                         .law = Drive{k_speed, 1e6f}});
-    added(wind, VortexMotor{.axis = {0.2f, 1.0f, 0.0f}, .radius = 4.0f, .half_length = 3.0f, .law = Drive{k_speed, 1e6f}});
+                         .law = Drive{k_opposed_speed, 1e6f}});
+    added(wind,
+          VortexMotor{.axis = {0.2f, 1.0f, 0.0f}, .radius = 4.0f, .half_length = 3.0f, .law = Drive{k_opposed_speed, 1e6f}});
     return wakes(wind);
 }
 
@@ -82,10 +83,10 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
         for (const auto& manner : k_manners) {
             Worst worst;
             for (const BoundaryKind kind : k_kinds) {
-                Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(kind), .max_cfl = manner.max_cfl});
+                Wind wind = made({.cells = k_opposed_cells, .boundaries = Boundaries::all(kind), .max_cfl = manner.max_cfl});
                 const auto prepare = opponents.add(wind);
                 const double carried = std::sqrt(3.0) * 8.0 * static_cast<double>(manner.max_cfl) / manner.dt;
-                Watch watch(wind, std::min(double(k_speed), carried));
+                Watch watch(wind, std::min(double(k_opposed_speed), carried));
                 for (int n = 0; n < shortened(250); ++n) {
                     prepare(manner.dt);
                     watch.step(manner.dt);
@@ -103,7 +104,8 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
 TEST(OpposedMotors, OfAStorm) {
     for (int kind = 0; kind < 4; ++kind)
         for (const bool raw : {false, true}) {
-            Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind]), .max_cfl = raw ? 1e6f : 2.0f});
+            Wind wind =
+                made({.cells = k_opposed_cells, .boundaries = Boundaries::all(k_kinds[kind]), .max_cfl = raw ? 1e6f : 2.0f});
             drive(wind, {-3.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, 50.0f);
             drive(wind, {3.0, 0.0, 0.0}, {-1.0f, 0.0f, 0.0f}, 50.0f);
             drive(wind, {0.0, 2.0, 0.0}, {0.0f, -1.0f, 0.2f}, 50.0f, 1.0f);
@@ -116,9 +118,9 @@ TEST(OpposedMotors, OfAStorm) {
 
 TEST(OpposedMotors, OneAloneOfAThousandMetresASecond) {
     for (int kind = 0; kind < 4; ++kind) {
-        Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind])});
-        drive(wind, {0.3, 0.2, 0.1}, {1.0f, 0.1f, 0.0f}, k_speed, 1.0f);
-        Watch watch(wind, double(k_speed));
+        Wind wind = made({.cells = k_opposed_cells, .boundaries = Boundaries::all(k_kinds[kind])});
+        drive(wind, {0.3, 0.2, 0.1}, {1.0f, 0.1f, 0.0f}, k_opposed_speed, 1.0f);
+        Watch watch(wind, double(k_opposed_speed));
         watch.run(1'000, 1.0 / 60.0);
         watch.judge(std::string("one_1000_mps_") + k_kind_names[kind], {k_input_energy, 1.5});
     }

@@ -8,13 +8,13 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(32, 16, 32);
+constexpr glm::ivec3 k_room_cells(32, 16, 32);
 const glm::dvec3 k_centre(16.0, 8.0, 16.0);
 constexpr float k_half = 4.2f; // [m] from the middle of the room to its walls
 
 Config windy(double gusts) {
     Config config{
-        .cells = k_cells, .boundaries = Boundaries::open_over_floor(), .centre = k_centre, .ambient = {10.0f, 0.0f, 0.0f}};
+        .cells = k_room_cells, .boundaries = Boundaries::open_over_floor(), .centre = k_centre, .ambient = {10.0f, 0.0f, 0.0f}};
     config.gusts.intensity = static_cast<float>(gusts);
     return config;
 }

@@ -7,10 +7,10 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(32, 16, 32);
+constexpr glm::ivec3 k_still_cells(32, 16, 32);
 
 Wind still(const Boundaries& boundaries, float relaxation_time) {
-    return made({.cells = k_cells, .boundaries = boundaries, .viscosity = 0.0f, .relaxation_time = relaxation_time});
+    return made({.cells = k_still_cells, .boundaries = boundaries, .viscosity = 0.0f, .relaxation_time = relaxation_time});
 }
 
 double rms(const Wind& wind) {
@@ -18,7 +18,7 @@ double rms(const Wind& wind) {
 }
 
 void start_with_noise(Wind& wind) {
-    EXPECT_TRUE(wind.set_velocity(projected(white_noise(k_cells, 1.0f, 23), wind.box())));
+    EXPECT_TRUE(wind.set_velocity(projected(white_noise(k_still_cells, 1.0f, 23), wind.box())));
 }
 
 // No force: no more energy than at the start. Speeds have the bound of white starts (hard_cases_test.cpp).
@@ -47,7 +47,7 @@ TEST(Stillness, StreamsThroughOpenSidesGainNoEnergy) {
     for (const auto& [name, boundaries] : {std::pair{"open", Boundaries{}}, {"floor", Boundaries::open_over_floor()}})
         for (const double dt : {0.001, 1.0 / 60.0, 0.5}) {
             Wind wind = still(boundaries, 0.0f);
-            ASSERT_TRUE(wind.set_velocity(projected(shear_layer(k_cells, 1.0f, 25), wind.box())));
+            ASSERT_TRUE(wind.set_velocity(projected(shear_layer(k_still_cells, 1.0f, 25), wind.box())));
             Watch watch(wind);
             watch.run(600, dt);
             watch.judge(std::string("stream_") + name + "_dt_" + std::to_string(dt).substr(0, 5), {1.001, 1.6});
@@ -77,8 +77,8 @@ TEST(Stillness, ABreezeComesBackToItself) {
     if (k_sanitized)
         GTEST_SKIP() << "only the whole time tells";
     const glm::vec3 ambient(0.5f, 0.0f, 0.2f);
-    Wind wind = made({.cells = k_cells, .ambient = ambient});
-    ASSERT_TRUE(wind.set_velocity(white_noise(k_cells, 1.0f, 24)));
+    Wind wind = made({.cells = k_still_cells, .ambient = ambient});
+    ASSERT_TRUE(wind.set_velocity(white_noise(k_still_cells, 1.0f, 24)));
     Watch watch(wind);
     const double dt = 0.1;
     take_steps(watch, 3'000, dt);

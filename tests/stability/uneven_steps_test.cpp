@@ -47,11 +47,11 @@ struct UnevenStart {
     const char* name;
     Field (*field)(glm::ivec3, float, std::uint32_t);
 };
-constexpr UnevenStart k_starts[] = {{"smooth", smooth_noise},
-                                    {"white", white_noise},
-                                    {"shear", shear_layer},
-                                    {"vortex_pair", vortex_pair},
-                                    {"taylor_green", taylor_green}};
+constexpr UnevenStart k_uneven_starts[] = {{"smooth", smooth_noise},
+                                           {"white", white_noise},
+                                           {"shear", shear_layer},
+                                           {"vortex_pair", vortex_pair},
+                                           {"taylor_green", taylor_green}};
 
 // Largest energy over the start's while steps that cross `cells_per_step` cells alternate with some shorter by `ratio`.
 double largest_energy(const UnevenStart& start, BoundaryKind boundaries, Config config, double cells_per_step, double ratio,
@@ -76,7 +76,7 @@ double largest_energy(const UnevenStart& start, BoundaryKind boundaries, Config 
 double worst_energy(const Config& config, double cells_per_step, double ratio, int steps) {
     double worst = 0.0;
     for (const BoundaryKind boundaries : k_kinds)
-        for (const UnevenStart& start : k_starts)
+        for (const UnevenStart& start : k_uneven_starts)
             worst = std::max(worst, largest_energy(start, boundaries, config, cells_per_step, ratio, steps));
     return worst;
 }
@@ -115,7 +115,7 @@ TEST(LongUnevenSteps, TenThousandRawStepsStayBounded) {
         for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
             double worst = 0.0;
             for (const BoundaryKind boundaries : {BoundaryKind::periodic, BoundaryKind::free_slip})
-                for (const UnevenStart& start : {k_starts[2], k_starts[3]})
+                for (const UnevenStart& start : {k_uneven_starts[2], k_uneven_starts[3]})
                     worst = std::max(worst, largest_energy(start, boundaries, raw(), cfl, ratio, 10'000));
             WINDROW_EXPECT_FIGURE(name_of("raw_long", cfl, ratio), worst, 10.0);
         }

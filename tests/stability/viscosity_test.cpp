@@ -9,8 +9,8 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr glm::ivec3 k_cells(16, 12, 20);
-constexpr double k_dt = 0.1;
+constexpr glm::ivec3 k_viscous_cells(16, 12, 20);
+constexpr double k_viscous_dt = 0.1;
 
 std::string name_of(const char* what, double number) {
     char text[64];
@@ -34,17 +34,17 @@ TEST(Viscosity, FromNothingToTenThousand) {
                                                 {1.0, DiffusionMethod::implicit},
                                                 {100.0, DiffusionMethod::implicit},
                                                 {1e4, DiffusionMethod::implicit}}) {
-                Wind wind = made({.cells = k_cells,
+                Wind wind = made({.cells = k_viscous_cells,
                                   .boundaries = Boundaries::all(k_kinds[kind]),
-                                  .viscosity = static_cast<float>(ratio / k_dt),
+                                  .viscosity = static_cast<float>(ratio / k_viscous_dt),
                                   .relaxation_time = 0.0f,
                                   .scheme = scheme,
                                   .max_cfl = 1e6f});
-                ASSERT_TRUE(wind.set_velocity(projected(white_noise(k_cells, 10.0f, 36), wind.box())));
+                ASSERT_TRUE(wind.set_velocity(projected(white_noise(k_viscous_cells, 10.0f, 36), wind.box())));
                 Watch watch(wind);
                 const int steps = shortened(300);
                 for (int n = 0; n < steps; ++n) {
-                    const DiffusionMethod used = watch.step(k_dt).diffusion;
+                    const DiffusionMethod used = watch.step(k_viscous_dt).diffusion;
                     const bool pays = method == DiffusionMethod::none && used == DiffusionMethod::one_pass; // what it owed
                     ASSERT_TRUE(used == method || pays) << ratio;
                 }
@@ -70,13 +70,13 @@ Boundaries running_walls() {
 TEST(Viscosity, BetweenWallsThatRun) {
     for (const float cell_size : {0.1f, 1.0f, 10.0f})
         for (const double ratio : {1e-3, 0.08, 0.084, 1.0, 1e4}) {
-            Wind wind = made({.cells = k_cells,
+            Wind wind = made({.cells = k_viscous_cells,
                               .cell_size = cell_size,
                               .boundaries = running_walls(),
                               .ambient = {5.0f, 0.0f, 0.0f},
-                              .viscosity = static_cast<float>(ratio * cell_size * cell_size / k_dt)});
+                              .viscosity = static_cast<float>(ratio * cell_size * cell_size / k_viscous_dt)});
             Watch watch(wind, 5.0);
-            watch.run(300, k_dt);
+            watch.run(300, k_viscous_dt);
             watch.judge(name_of("viscosity_walls_run", ratio) + '_' + name_of("h", cell_size),
                         {k_input_energy, 1.5}); // what shear may roll up to
         }
@@ -91,14 +91,14 @@ TEST(Viscosity, AlongWallsThatRun) {
                       .ambient = {5.0f, 0.0f, 0.0f},
                       .viscosity = 1e-4f});
     Watch watch(wind, 5.0);
-    watch.run(400, k_dt);
+    watch.run(400, k_viscous_dt);
     watch.judge("viscosity_long_duct", {k_input_energy, 1.5});
 }
 
 TEST(Viscosity, AUniformWindBearsAny) {
     // Nothing to diffuse, nothing to project: the stiffest solve must give it back, though ambient is still.
     for (const double ratio : {1.0, 100.0, 1e4, 1e6, 1e8}) {
-        Wind wind = made({.cells = k_cells,
+        Wind wind = made({.cells = k_viscous_cells,
                           .boundaries = Boundaries::all(BoundaryKind::periodic),
                           .viscosity = static_cast<float>(ratio),
                           .relaxation_time = 0.0f});

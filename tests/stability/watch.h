@@ -21,7 +21,7 @@ namespace windrow::test {
 
 /// Steps that a run takes (tier.h): 500 at least, so that what grows has time to, and 20 under a sanitizer.
 [[nodiscard]] inline int shortened(int steps) {
-    return sampled(steps, k_sanitized ? 20 : 500);
+    return sampled(steps, k_sanitized ? 20 : 120);
 }
 
 inline constexpr BoundaryKind k_kinds[] = {BoundaryKind::open, BoundaryKind::free_slip, BoundaryKind::no_slip,

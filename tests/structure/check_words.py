@@ -39,7 +39,7 @@ ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 
 
 def pages(root):
-    return [root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + sorted((root / "docs").glob("*.md"))
+    return [root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + sorted((root / "docs").rglob("*.md"))
 
 
 def prose(text):

@@ -17,7 +17,7 @@ CommandOutcome bench(std::vector<const char*> arguments) {
     return run_windrow("bench", std::move(arguments));
 }
 
-void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+void expect_bench_rejection(std::vector<const char*> arguments, const std::string& sentence) {
     expect_rejected(bench(std::move(arguments)), sentence);
 }
 
@@ -48,22 +48,24 @@ void expect_spread(const nlohmann::json& json, const char* key, bool positive = 
 TEST_F(BenchCommand, WrongFlagsAreNamed) {
     const std::string grid = ": give three whole numbers such as 64x32x64, each from 1 to 2048.";
     for (const std::string text : {"64x32", "64x32x64x2", "0x1x1", "64x32x-3", "64x32x2049", "axbxc", "64", "64xx64", "64x32x"})
-        expect_rejection({"--grid", text.c_str()}, "--grid is " + text + grid);
-    expect_rejection({"--grid", ""}, "--grid is empty" + grid);
-    expect_rejection({"--grid", "8x8x8", "--grid", "9"}, "--grid is 9" + grid);
-    expect_rejection({"--grid", "2048x2048x2048"}, "--grid is 2048x2048x2048, 8589934592 cells: give at most 67108864 cells.");
-    expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
-    expect_rejection({"--volumes", "16", "none"}, "--volumes is none: give a whole number from 1 to 65536.");
-    expect_rejection({"--seconds", "0"}, "--seconds is 0: give a number above 0, at most 3600 s.");
-    expect_rejection({"--seconds", "nan"}, "--seconds is nan: give a number above 0, at most 3600 s.");
-    expect_rejection({"--json", ""}, "--json is empty: name a file.");
-    expect_rejection({"--gird", "8x8x8"}, "unknown option --gird (did you mean --grid?): see windrow bench --help.");
+        expect_bench_rejection({"--grid", text.c_str()}, "--grid is " + text + grid);
+    expect_bench_rejection({"--grid", ""}, "--grid is empty" + grid);
+    expect_bench_rejection({"--grid", "8x8x8", "--grid", "9"}, "--grid is 9" + grid);
+    expect_bench_rejection({"--grid", "2048x2048x2048"},
+                           "--grid is 2048x2048x2048, 8589934592 cells: give at most 67108864 cells.");
+    expect_bench_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_bench_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_bench_rejection({"--volumes", "16", "none"}, "--volumes is none: give a whole number from 1 to 65536.");
+    expect_bench_rejection({"--seconds", "0"}, "--seconds is 0: give a number above 0, at most 3600 s.");
+    expect_bench_rejection({"--seconds", "nan"}, "--seconds is nan: give a number above 0, at most 3600 s.");
+    expect_bench_rejection({"--json", ""}, "--json is empty: name a file.");
+    expect_bench_rejection({"--gird", "8x8x8"}, "unknown option --gird (did you mean --grid?): see windrow bench --help.");
 }
 
 TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingIsMeasured) {
-    expect_rejection({"--json", folder.c_str()},
-                     folder.string() + ": is a folder where a file is needed: remove it, or give another file with --json.");
+    expect_bench_rejection({"--json", folder.c_str()},
+                           folder.string() +
+                               ": is a folder where a file is needed: remove it, or give another file with --json.");
     const std::string lost = in("none/bench.json");
     const CommandOutcome outcome = bench({"--json", lost.c_str()});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
@@ -76,7 +78,7 @@ TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingIsMeasured)
 TEST_F(BenchCommand, WhatIsNoOrdinaryFileStaysAndALinkIsFollowed) {
     const std::string pipe = in("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    expect_rejection({"--json", pipe.c_str()}, pipe + ": is not a regular file: give another file with --json.");
+    expect_bench_rejection({"--json", pipe.c_str()}, pipe + ": is not a regular file: give another file with --json.");
     EXPECT_TRUE(fs::is_fifo(pipe));
 
     const std::string target = in("target.json"), link = in("link.json");

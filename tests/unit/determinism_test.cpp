@@ -11,7 +11,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-std::vector<NamedConfig> scenes() {
+std::vector<NamedConfig> determined_scenes() {
     std::vector<NamedConfig> list;
     for (const glm::ivec3 cells : {glm::ivec3(32, 16, 32), glm::ivec3(17, 9, 23)}) {
         const std::string size = '_' + std::to_string(cells.x) + 'x' + std::to_string(cells.y) + 'x' + std::to_string(cells.z);
@@ -103,16 +103,16 @@ TEST_P(ParallelSame, AHundredStepsWithAnyNumberOfThreads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ParallelSame, testing::ValuesIn(scenes()),
+INSTANTIATE_TEST_SUITE_P(Scenes, ParallelSame, testing::ValuesIn(determined_scenes()),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(ParallelWinds, TwoWindsShareNothing) {
-    const Config config = scenes()[1].config;
+    const Config config = determined_scenes()[1].config;
     Storm alone(config, {});
     for (int n = 0; n < 40; ++n)
         alone.step();
 
-    Storm first(config, {}), other(scenes()[8].config, {});
+    Storm first(config, {}), other(determined_scenes()[8].config, {});
     for (int n = 0; n < 40; ++n) {
         first.step();
         other.step();
@@ -140,7 +140,7 @@ TEST(ParallelWinds, IndicesInAnyOrderGiveTheSame) {
                                         task(argument, index);
                                 },
                                 nullptr};
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : determined_scenes()) {
         Storm forwards(scene.config, {}), reversed(scene.config, backwards);
         for (int n = 0; n < 20; ++n) {
             forwards.step();

@@ -1,8 +1,8 @@
 // EventLog and replay: the same calls on the same state give the same state to the bit, through bytes and with any number of
 // threads.
 
-#include "fluid/event_log.h"
 #include "fluid/core/bytes.h"
+#include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
 #include "tests/shapes.h"
 #include "tests/tier.h"

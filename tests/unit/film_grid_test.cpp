@@ -22,7 +22,7 @@ using namespace windrow;
 using namespace windrow::vdb_test;
 
 template <class GridType>
-typename GridType::Ptr read(const fs::path& file, const std::string& name) {
+typename GridType::Ptr read_grid(const fs::path& file, const std::string& name) {
     openvdb::initialize();
     openvdb::io::File archive(file.string());
     archive.open();
@@ -66,7 +66,7 @@ double apart_outside(const Wind& wind, double margin, float voxel, double least,
     const auto film = vdb::film_grid(wind.view(), {.region = region});
     EXPECT_TRUE(film);
     EXPECT_TRUE(vdb::write(film->grid, folder / "film.vdb"));
-    const auto grid = read<openvdb::Vec3SGrid>(folder / "film.vdb", "vel");
+    const auto grid = read_grid<openvdb::Vec3SGrid>(folder / "film.vdb", "vel");
     std::mt19937 random(11);
     const glm::dvec3 low = region.low + 0.5 * double(voxel), high = region.high - 0.5 * double(voxel);
     double apart = 0.0;
@@ -150,13 +150,13 @@ TEST(FilmGrid, VorticityIsTheCurl) {
                                           .vorticity = true});
         ASSERT_TRUE(film) << film.error();
         ASSERT_TRUE(vdb::write(film->grid, folder / "spin.vdb", {.up = up}));
-        const auto vorticity = read<openvdb::Vec3SGrid>(folder / "spin.vdb", "vorticity");
+        const auto vorticity = read_grid<openvdb::Vec3SGrid>(folder / "spin.vdb", "vorticity");
         const glm::dvec3 wanted = 2.0 * (up == vdb::UpAxis::y ? spin : glm::dvec3(spin.x, -spin.z, spin.y));
         EXPECT_EQ(vorticity->activeVoxelCount(), 216u);
         for (auto voxel = vorticity->cbeginValueOn(); voxel; ++voxel)
             EXPECT_LT(glm::length(glm::dvec3((*voxel)[0], (*voxel)[1], (*voxel)[2]) - wanted), 1e-4);
-        const auto speed = read<openvdb::FloatGrid>(folder / "spin.vdb", "speed");
-        const auto velocity = read<openvdb::Vec3SGrid>(folder / "spin.vdb", "vel");
+        const auto speed = read_grid<openvdb::FloatGrid>(folder / "spin.vdb", "speed");
+        const auto velocity = read_grid<openvdb::Vec3SGrid>(folder / "spin.vdb", "vel");
         for (auto voxel = speed->cbeginValueOn(); voxel; ++voxel)
             EXPECT_NEAR(*voxel, velocity->tree().getValue(voxel.getCoord()).length(), 1e-5);
         EXPECT_EQ(vorticity->metaValue<std::string>("windrow_units"), "vorticity 1/s, length m, time s");
@@ -178,8 +178,8 @@ TEST(FilmGrid, ScalarsOfCellsComeToTheirPlaces) {
         vdb::film_grid(wind.view(), {.region = vdb::region_around(wind.view(), 3.0), .obstacle = inside, .scalars = scalars});
     ASSERT_TRUE(film);
     ASSERT_TRUE(vdb::write(film->grid, folder / "a.vdb", {.form = vdb::Form::three_scalars, .up = vdb::UpAxis::z}));
-    const auto density = read<openvdb::FloatGrid>(folder / "a.vdb", "density"),
-               body = read<openvdb::FloatGrid>(folder / "a.vdb", "obstacle");
+    const auto density = read_grid<openvdb::FloatGrid>(folder / "a.vdb", "density"),
+               body = read_grid<openvdb::FloatGrid>(folder / "a.vdb", "obstacle");
     // The centre of cell (8, 3, 6) is (0.5, 3.5, 0.5), turned (0.5, -0.5, 3.5).
     EXPECT_NEAR(openvdb::tools::PointSampler::sample(density->tree(), density->worldToIndex({0.5, -0.5, 3.5})), 638.0f, 1e-3f);
     EXPECT_EQ(openvdb::tools::PointSampler::sample(density->tree(), density->worldToIndex({-10.5, -0.5, 3.5})), 0.0f);

@@ -31,8 +31,8 @@ const std::shared_ptr<const GustTile>& tile() {
     return shared;
 }
 
-AmbientWind made(glm::vec3 mean, float intensity, std::optional<LogProfile> profile = {}, float length = 24.0f,
-                 double ground = 0.0) {
+AmbientWind blown(glm::vec3 mean, float intensity, std::optional<LogProfile> profile = {}, float length = 24.0f,
+                  double ground = 0.0) {
     const Gusts gusts{.intensity = intensity, .length = length, .tile = tile()};
     auto wind = AmbientWind::create({.mean = mean, .profile = profile, .gusts = gusts, .ground = ground});
     EXPECT_TRUE(wind) << wind.error();
@@ -66,7 +66,7 @@ TEST(Gusts, ThePatternIsCarriedByTheMeanWind) {
     for (const auto& [name, start, reach] :
          {std::tuple{"near", 0.0, 100.0}, {"far_away", 0.0, 1e6}, {"after_1e7_seconds", 1e7, 100.0}}) {
         const double worst = largest(201, reach, [&, from = start](Random& random, glm::dvec3 x) {
-            AmbientWind wind = made(mean, 0.5f, LogProfile{});
+            AmbientWind wind = blown(mean, 0.5f, LogProfile{});
             wind.advance(from);
             const double d = random.real(-30.0, 30.0);
             const glm::vec3 earlier = wind.velocity(x - glm::dvec3(mean) * d);
@@ -78,7 +78,7 @@ TEST(Gusts, ThePatternIsCarriedByTheMeanWind) {
 }
 
 TEST(Gusts, ManySmallTicksCarryAsFarAsOneStep) {
-    AmbientWind ticked = made({7.0f, 0.0f, 3.0f}, 0.3f), stepped = ticked;
+    AmbientWind ticked = blown({7.0f, 0.0f, 3.0f}, 0.3f), stepped = ticked;
     for (int n = 0; n < 100'000; ++n)
         ticked.advance(1.0 / 60.0);
     stepped.advance(100'000.0 / 60.0);
@@ -89,7 +89,7 @@ TEST(Gusts, ManySmallTicksCarryAsFarAsOneStep) {
 }
 
 TEST(Gusts, StrengthIsLinear) {
-    const AmbientWind one = made({2.0f, 0.0f, 1.5f}, 0.4f, LogProfile{}), three = made({6.0f, 0.0f, 4.5f}, 0.4f, LogProfile{});
+    const AmbientWind one = blown({2.0f, 0.0f, 1.5f}, 0.4f, LogProfile{}), three = blown({6.0f, 0.0f, 4.5f}, 0.4f, LogProfile{});
     const auto error = [&](Random&, glm::dvec3 x) { return distance(3.0f * one.velocity(x), three.velocity(x)); };
     WINDROW_EXPECT_FIGURE("gusts/linear_in_strength", largest(203, 100.0, error), 1e-5);
 }
@@ -97,7 +97,7 @@ TEST(Gusts, StrengthIsLinear) {
 TEST(Gusts, ReversalMirrorsInTime) {
     const glm::vec3 mean(5.0f, 0.0f, -3.0f);
     const auto error = [&](Random& random, glm::dvec3 x) {
-        AmbientWind there = made(mean, 0.4f), back = made(-mean, 0.4f);
+        AmbientWind there = blown(mean, 0.4f), back = blown(-mean, 0.4f);
         const double t = random.real(0.0, 100.0);
         there.advance(-t);
         back.advance(t);
@@ -107,7 +107,7 @@ TEST(Gusts, ReversalMirrorsInTime) {
 }
 
 TEST(Gusts, WholeTilesAwayTheBitsAreEqual) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.4f, LogProfile{});
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.4f, LogProfile{});
     wind.advance(123.456);
     const Sampling sampling{.detail = 0.5f};
     const glm::vec3 u(3.0f, 1.0f, 2.0f);
@@ -120,7 +120,7 @@ TEST(Gusts, WholeTilesAwayTheBitsAreEqual) {
 }
 
 TEST(Gusts, ABlockAnswersAsTheWindDoes) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.4f, LogProfile{}, 17.0f, 3.0);
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.4f, LogProfile{}, 17.0f, 3.0);
     wind.advance(1234.5);
     const Sampling sampling{.strength = 1.5f, .limit = 20.0f, .detail = 0.3f, .detail_length = 0.8f};
     const glm::dvec3 anchor(1e6 + 0.3, 5.0, -2e6 - 0.7);
@@ -139,7 +139,7 @@ TEST(Gusts, ABlockAnswersAsTheWindDoes) {
 }
 
 TEST(Gusts, APhaseSavedIsTheWholeState) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.4f), restored = wind;
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.4f), restored = wind;
     wind.advance(98'765.4);
     restored.set_phase(wind.phase());
     const glm::dvec3 x(1.0, 2.0, 3.0);
@@ -166,12 +166,12 @@ TEST(Gusts, WithoutProfileAndGustsTheWindIsTheMeanToTheBit) {
     EXPECT_TRUE(same_bits(wind->velocity({1e6, -40.0, 3.0}), wind->mean()));
     const glm::vec3 u(1.0f, 2.0f, 3.0f);
     EXPECT_TRUE(same_bits(wind->felt(u, {}, {.detail = 1.0f}), u)) << "no tile, no detail";
-    EXPECT_FALSE(made({0.0f, 2.0f, 0.0f}, 0.5f).gusting()) << "nothing carries gusts along";
+    EXPECT_FALSE(blown({0.0f, 2.0f, 0.0f}, 0.5f).gusting()) << "nothing carries gusts along";
 }
 
 TEST(Gusts, TheProfileIsLogarithmic) {
     const LogProfile profile{.roughness_length = 0.1f, .reference_height = 8.0f};
-    const AmbientWind wind = made({4.0f, 0.0f, 3.0f}, 0.0f, profile, 24.0f, 100.0);
+    const AmbientWind wind = blown({4.0f, 0.0f, 3.0f}, 0.0f, profile, 24.0f, 100.0);
     for (const double height : {100.0, 90.0})
         EXPECT_EQ(wind.velocity({0.0, height, 0.0}), glm::vec3(0.0f));
     EXPECT_EQ(wind.velocity({0.0, 108.0, 0.0}), wind.mean());
@@ -186,7 +186,7 @@ TEST(Gusts, TheProfileIsLogarithmic) {
 
 TEST(Gusts, NoGustBlowsThroughTheGround) {
     for (const auto& profile : {std::optional<LogProfile>{}, std::optional(LogProfile{})}) {
-        AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 1.0f, profile, 24.0f, 12.25);
+        AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 1.0f, profile, 24.0f, 12.25);
         wind.advance(31.7);
         const auto error = [&](Random&, glm::dvec3 x) { return std::abs(double(wind.velocity({x.x, 12.25, x.z}).y)); };
         EXPECT_EQ(largest(207, 500.0, error), 0.0);
@@ -194,7 +194,7 @@ TEST(Gusts, NoGustBlowsThroughTheGround) {
 }
 
 TEST(Gusts, AClosedAxisHasNoGusts) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 1.0f);
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 1.0f);
     const glm::vec3 before = wind.velocity({3.0, 4.0, 5.0});
     wind.set_gust_axes({0.0f, 1.0f, 1.0f});
     const glm::vec3 after = wind.velocity({3.0, 4.0, 5.0});
@@ -203,7 +203,7 @@ TEST(Gusts, AClosedAxisHasNoGusts) {
 }
 
 TEST(Gusts, TheirStrengthIsTheDeclaredOne) {
-    AmbientWind wind = made({8.0f, 0.0f, -6.0f}, 0.25f);
+    AmbientWind wind = blown({8.0f, 0.0f, -6.0f}, 0.25f);
     Random random(208);
     glm::dvec3 squares(0.0);
     const int count = 200'000;
@@ -312,7 +312,7 @@ TEST(GustTile, ASeedGivesTheSameBits) {
 }
 
 TEST(Felt, DetailFollowsTheLocalSpeed) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.3f);
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.3f);
     wind.advance(77.7);
     const Sampling sampling{.limit = 1e6f, .detail = 0.4f, .detail_length = 0.7f};
     const auto share = [&](Random& random, glm::dvec3 x) {
@@ -332,7 +332,7 @@ TEST(Felt, DetailFollowsTheLocalSpeed) {
 
 // A wrapped phase must not be seen: neither the gusts' tile nor the detail's may jump there.
 TEST(Felt, DetailScrollsWithoutAJump) {
-    AmbientWind wind = made({5.0f, 0.0f, 0.0f}, 0.3f, {}, 23.0f);
+    AmbientWind wind = blown({5.0f, 0.0f, 0.0f}, 0.3f, {}, 23.0f);
     const Sampling sampling{.detail = 0.5f, .detail_length = 1.7f};
     const auto felt = [&](double x) { return wind.felt({4.0f, 0.0f, 1.0f}, {x, 2.0, 3.0}, sampling); };
     double at_wrap = 0.0, elsewhere = 0.0;
@@ -353,7 +353,7 @@ TEST(Felt, DetailScrollsWithoutAJump) {
 }
 
 TEST(Felt, IsScaledAndNeverAboveTheLimit) {
-    const AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.3f);
+    const AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.3f);
     constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     Random random(213);
     double longest = 0.0, turned = 0.0;
@@ -390,7 +390,7 @@ TEST(Felt, IsScaledAndNeverAboveTheLimit) {
 }
 
 TEST(Felt, StaticAndDynamicWindAddUp) {
-    AmbientWind wind = made({5.0f, 0.0f, 2.0f}, 0.3f, LogProfile{});
+    AmbientWind wind = blown({5.0f, 0.0f, 2.0f}, 0.3f, LogProfile{});
     wind.advance(12.0);
     const Sampling sampling{.strength = 1.7f};
     const auto error = [&](Random& random, glm::dvec3 x) {
@@ -438,7 +438,7 @@ TEST(AmbientField, IsTheWindAtTheCells) {
           Case{"small_cells", {40, 5, 6}, 0.01f, {-0.2, 0.0, 127.999}, 0.3f, false},
           Case{"profile_only", {9, 8, 7}, 1.0f, {-4.0, -2.0, 0.0}, 0.0f, true},
           Case{"uniform", {9, 8, 7}, 1.0f, {-4.0, -2.0, 0.0}, 0.0f, false}}) {
-        AmbientWind wind = made({8.0f, 0.5f, -3.0f}, intensity, profile ? std::optional(LogProfile{}) : std::nullopt);
+        AmbientWind wind = blown({8.0f, 0.5f, -3.0f}, intensity, profile ? std::optional(LogProfile{}) : std::nullopt);
         wind.set_gust_axes({1.0f, 0.5f, 1.0f});
         wind.advance(4321.1);
         const Window window{cells, cell_size, CellIndex(glm::floor(origin / double(cell_size)))};
@@ -460,7 +460,7 @@ TEST(AmbientField, IsTheWindAtTheCells) {
 }
 
 TEST(AmbientField, DoesNotDependOnThreads) {
-    AmbientWind wind = made({8.0f, 0.0f, -3.0f}, 0.3f, LogProfile{});
+    AmbientWind wind = blown({8.0f, 0.0f, -3.0f}, 0.3f, LogProfile{});
     const Window window{.cells = {33, 17, 21}, .cell_size = 0.8f};
     cpu::AmbientField serial(window.cells), threaded(window.cells);
     serial.fill(wind, window, {});
@@ -490,7 +490,7 @@ TEST(Gusts, SettingsThatMakeNoSenseAreRejected) {
         AmbientWind::create({.mean = glm::vec3(nan), .profile = bald, .gusts = {.intensity = 2.0f}, .ground = nan});
     ASSERT_FALSE(rejected);
     EXPECT_EQ(std::count(rejected.error().begin(), rejected.error().end(), '\n'), 3) << rejected.error();
-    AmbientWind wind = made({1.0f, 0.0f, 0.0f}, 0.5f);
+    AmbientWind wind = blown({1.0f, 0.0f, 0.0f}, 0.5f);
     EXPECT_TRUE(begins(wind.set_mean({1e5f, 0.0f, 0.0f}), "mean is "));
     EXPECT_TRUE(begins(wind.set_ground(nan), "ground is "));
     wind.advance(nan);

@@ -16,7 +16,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-std::vector<NamedConfig> scenes() {
+std::vector<NamedConfig> measured_scenes() {
     return {{"default", {}},
             {"16x16x16", {.cells = {16, 16, 16}}},
             {"64x32x64", {.cells = {64, 32, 64}}},
@@ -59,7 +59,7 @@ double unsaid(const Object& object, std::int64_t before) {
 // Figures are recorded at the end of each scene, since recording allocates.
 TEST(Memory, AWindSaysWhatItHasAllocated) {
     (void)GustTile::standard(); // the last one's count of owners stays: the standard library's
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : measured_scenes()) {
         // [bytes] A tile of gusts is shared, and its count of owners is the standard library's.
         const double shared = scene.config.gusts.intensity > 0.0f ? 32.0 : 0.0;
         double created = 0.0, with_motors = 0.0, with_other_sides = 0.0, bytes_a_cell = 0.0;
@@ -106,7 +106,7 @@ TEST(Memory, AWorkspaceSaysWhatItHasAllocated) {
 // Motors, a wake, sub-steps, viscosity, shifts, changing ambient: none of it allocates in the frame.
 TEST(Memory, AFrameAllocatesNothing) {
     ThreadPool pool(2);
-    for (NamedConfig& scene : scenes()) {
+    for (NamedConfig& scene : measured_scenes()) {
         if (cell_count(scene.config.cells) > 100'000)
             continue; // shows nothing more than the smaller ones
         scene.config.parallel_for = pool.parallel_for();

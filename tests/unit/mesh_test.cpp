@@ -3,6 +3,7 @@
 #include "tests/winds.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 namespace windrow::test {
 namespace {
@@ -67,7 +68,7 @@ double exact_winding(const MeshData& data, glm::vec3 p) {
         sum += std::atan2(glm::dot(a, glm::cross(b, c)),
                           la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
     }
-    return sum / (2.0 * k_pi);
+    return sum / (2.0 * std::numbers::pi);
 }
 
 TEST(Mesh, WindingNumbersAreWhole) {

@@ -157,7 +157,7 @@ TEST(MotorKinds, FollowTheirClosedFormsInAHundredRotations) {
             const std::string name = std::string(k_form_name[static_cast<int>(form)]) + (drives ? "_drive" : "_force");
             // Positions are kept to 1/65536 of a cell.
             WINDROW_EXPECT_FIGURE("kind_error_" + name, worst, form <= MotorForm::box && !drives ? 2e-5 : 1e-4);
-            WINDROW_EXPECT_FIGURE("kind_direction_deg_" + name, worst_angle * 180.0 / k_pi, 0.1);
+            WINDROW_EXPECT_FIGURE("kind_direction_deg_" + name, worst_angle * 180.0 / pi, 0.1);
         }
 }
 
@@ -285,23 +285,23 @@ TEST(MotorKinds, AWhirlPutsInNextToNoDivergence) {
 // The impulse that a thin motor should give along its axis (about it, for a whirl), times 1 s and 1 m/s^2.
 double impulse_of(const Motor& motor) {
     if (const auto* vortex = std::get_if<VortexMotor>(&motor)) // axial 16/15 H; across, 2 pi R^3 times 1/24
-        return 16.0 / 15.0 * double(vortex->half_length) * k_pi / 12.0 * k_swirl * std::pow(double(vortex->radius), 3);
+        return 16.0 / 15.0 * double(vortex->half_length) * pi / 12.0 * k_swirl * std::pow(double(vortex->radius), 3);
     if (const auto* jet = std::get_if<JetMotor>(&motor)) { // pi r^2 / 3 times r0 / r, along 8 L / 15
         const ColumnForm c = column_of(*jet);
-        return 8.0 / 15.0 * c.length * k_pi / 3.0 * c.start * 0.5 * (c.start + c.end);
+        return 8.0 / 15.0 * c.length * pi / 3.0 * c.start * 0.5 * (c.start + c.end);
     }
     const Region& region = std::get<DirectionalMotor>(motor).region;
-    const auto ball = [](double radius) { return 32.0 * k_pi / 105.0 * std::pow(radius, 3); };
+    const auto ball = [](double radius) { return 32.0 * pi / 105.0 * std::pow(radius, 3); };
     if (const auto* sphere = std::get_if<Sphere>(&region))
         return ball(sphere->radius);
     if (const auto* capsule = std::get_if<Capsule>(&region))
         return ball(capsule->radius) +
-               2.0 * k_pi / 3.0 * std::pow(double(capsule->radius), 2) * glm::length(glm::dvec3(capsule->half_axis));
+               2.0 * pi / 3.0 * std::pow(double(capsule->radius), 2) * glm::length(glm::dvec3(capsule->half_axis));
     if (const auto* box = std::get_if<AlignedBox>(&region))
         return std::pow(16.0 / 15.0, 3) * double(box->half_size.x) * box->half_size.y * box->half_size.z;
     const auto& cone = std::get<Cone>(region);
     const double a = 0.5 * (double(cone.start_radius) + double(cone.end_radius)), b = a - double(cone.start_radius);
-    return 8.0 * k_pi / 45.0 * glm::length(glm::dvec3(cone.axis)) * (a * a + b * b / 7.0);
+    return 8.0 * pi / 45.0 * glm::length(glm::dvec3(cone.axis)) * (a * a + b * b / 7.0);
 }
 
 // Sampled at cell centres, a region of 1.5 cells gives a few per cent more or less as it lies; over all places the mean is right.
@@ -377,8 +377,8 @@ TEST(MotorKinds, ASourceLetsInItsFlowAndNothingOutsideItsBall) {
         Wind wind = sources_only({16, 16, 16}, h);
         added(wind, vent);
         wind.step(0.1);
-        const double radius = vent.radius, flow = 4.0 * k_pi * radius * radius * double(vent.speed);
-        const double most = flow / (32.0 * k_pi / 105.0 * std::pow(radius, 3));
+        const double radius = vent.radius, flow = 4.0 * pi * radius * radius * double(vent.speed);
+        const double most = flow / (32.0 * pi / 105.0 * std::pow(radius, 3));
         const auto expansion = wind.state().cells.sources.expansion();
         ASSERT_EQ(expansion.size(), wind.box().cell_count());
         double sum = 0.0;

@@ -15,7 +15,7 @@
 namespace windrow::reference {
 namespace {
 
-std::vector<Simd> levels() {
+std::vector<Simd> multigrid_levels() {
     std::vector<Simd> all;
     for (const Simd level : {Simd::baseline, Simd::avx2, Simd::avx512})
         if (runs(level))
@@ -203,7 +203,7 @@ TEST(Multigrid, IsTheSameOnAllThreadsAndNearlySoOnAllLevels) {
     const std::vector<float> rhs = noise(box), one = multigrid(box, rhs, 2);
     ThreadPool pool(3);
     EXPECT_EQ(multigrid(box, rhs, 2, Simd::best, pool.parallel_for()), one);
-    for (const Simd level : levels())
+    for (const Simd level : multigrid_levels())
         EXPECT_LT(off_without_mean(multigrid(box, rhs, 2, level), one), 1e-5) << windrow::name_of(level);
 }
 

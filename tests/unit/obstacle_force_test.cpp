@@ -3,6 +3,8 @@
 #include "tests/unit/snapshot_session.h"
 #include "tests/winds.h"
 
+#include <numbers>
+
 namespace {
 
 using namespace windrow;
@@ -53,9 +55,10 @@ TEST(ObstacleForce, IsNoneWhileTheAirSleeps) {
 // A blast pushes what is beside it at once, and a door the way it opens.
 TEST(ObstacleForce, ABlastPushesADoor) {
     Wind wind = made({.cells = {16, 12, 12}});
-    const ObstacleId door = *wind.obstacles().add({.position = {2.3, 0.0, 0.0},
-                                                   .orientation = glm::angleAxis(float(k_pi) / 2, glm::vec3(0.0f, 1.0f, 0.0f)),
-                                                   .shape = Plate{{1.0f, 1.5f}}});
+    const ObstacleId door =
+        *wind.obstacles().add({.position = {2.3, 0.0, 0.0},
+                               .orientation = glm::angleAxis(float(std::numbers::pi) / 2, glm::vec3(0.0f, 1.0f, 0.0f)),
+                               .shape = Plate{{1.0f, 1.5f}}});
     (void)wind.step(0.02);
     added(wind, PressureMotor{.position = {-1.0, 0.0, 0.0}, .radius = 1.5f, .speed = 40.0f});
     (void)wind.step(0.02);

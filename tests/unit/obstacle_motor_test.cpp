@@ -3,6 +3,7 @@
 #include "tests/winds.h"
 
 #include <cstring>
+#include <numbers>
 
 namespace {
 
@@ -62,7 +63,7 @@ TEST_P(VentInADuct, BlowsNothingThroughAWall) {
     for (int k = 0; k < 6; ++k)
         for (int j = 0; j < 6; ++j)
             out -= double(wind.field()[wind.box().index(0, j, k)].x);
-    const double given = 4.0 * k_pi * 2.0 * 2.0 * 2.0;
+    const double given = 4.0 * std::numbers::pi * 2.0 * 2.0 * 2.0;
     EXPECT_NEAR(out, given, 0.05 * given) << "all of it leaves by the open end";
     EXPECT_LT(largest_speed(wind, [](glm::dvec3 p) { return p.x > 15.0; }), 2e-3 * given / 36.0);
 }
@@ -120,7 +121,7 @@ void add_room(Wind& wind, bool open) {
             const glm::vec3 turn_axis(axis == 1 ? 1.0f : 0.0f, axis == 0 ? 1.0f : 0.0f, 0.0f);
             ASSERT_TRUE(wind.obstacles().add(
                 {.position = place,
-                 .orientation = axis == 2 ? glm::quat(1, 0, 0, 0) : glm::angleAxis(float(k_pi) / 2, turn_axis),
+                 .orientation = axis == 2 ? glm::quat(1, 0, 0, 0) : glm::angleAxis(float(std::numbers::pi) / 2, turn_axis),
                  .shape = Plate{{3.3f, 3.3f}}}));
         }
 }

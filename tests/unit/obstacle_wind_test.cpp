@@ -1,7 +1,7 @@
 // Obstacles in a wind: sleep, snapshots, logs.
 
-#include "fluid/event_log.h"
 #include "fluid/core/bytes.h"
+#include "fluid/event_log.h"
 #include "fluid/solids/solids.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"

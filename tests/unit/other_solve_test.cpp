@@ -13,9 +13,9 @@
 namespace windrow::reference {
 namespace {
 
-constexpr glm::ivec3 k_cells{20, 9, 17};
+constexpr glm::ivec3 k_wavy_cells{20, 9, 17};
 constexpr float k_cell = 0.5f;
-constexpr double k_dt = 0.04;
+constexpr double k_wavy_dt = 0.04;
 
 struct WavyBox {
     Boundaries boundaries;
@@ -34,17 +34,17 @@ std::vector<WavyBox> cases() {
 // A jet that drives and a fan that pushes: both laws. Exchanged before each step.
 std::vector<glm::vec4> after(const WavyBox& one, const std::vector<Pressure>& steps, const ParallelFor& loop = {}) {
     const glm::vec3 ambient(3.0f, 0.0f, 1.0f);
-    Wind wind = *Wind::create({.cells = k_cells,
+    Wind wind = *Wind::create({.cells = k_wavy_cells,
                                .cell_size = k_cell,
                                .boundaries = one.boundaries,
-                               .centre = 0.5 * k_cell * glm::dvec3(k_cells),
+                               .centre = 0.5 * k_cell * glm::dvec3(k_wavy_cells),
                                .ambient = ambient,
                                .viscosity = one.viscosity,
                                .relaxation_time = 0.0f,
                                .max_cfl = 1e5f,
                                .parallel_for = loop});
     wind.set_velocity([&](glm::dvec3 p) {
-        const glm::vec3 at = 2.0f * std::numbers::pi_v<float> * glm::vec3(p) / (k_cell * glm::vec3(k_cells));
+        const glm::vec3 at = 2.0f * std::numbers::pi_v<float> * glm::vec3(p) / (k_cell * glm::vec3(k_wavy_cells));
         return ambient + 3.0f * glm::vec3(std::sin(at.z) * std::cos(at.y), 0.4f * std::sin(at.x), std::cos(at.x + at.y));
     });
     if (one.moved) {
@@ -56,7 +56,7 @@ std::vector<glm::vec4> after(const WavyBox& one, const std::vector<Pressure>& st
     OtherSolve solve(wind);
     for (const Pressure pressure : steps) {
         solve.exchange(wind, pressure);
-        EXPECT_EQ(wind.step(k_dt).substeps, 1);
+        EXPECT_EQ(wind.step(k_wavy_dt).substeps, 1);
     }
     return {wind.field().begin(), wind.field().end()};
 }

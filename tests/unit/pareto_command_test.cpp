@@ -33,7 +33,7 @@ CommandOutcome pareto(const ParetoRequest& request, int signal = 0) {
     return run_request(run_pareto, request, signal);
 }
 
-void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+void expect_pareto_rejection(std::vector<const char*> arguments, const std::string& sentence) {
     expect_rejected(pareto(std::move(arguments)), sentence);
 }
 
@@ -77,17 +77,17 @@ class ParetoCommand : public test::FolderTest {
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(ParetoCommand, WrongFlagsAreNamed) {
-    expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
-    expect_rejection({"--out", ""}, "--out is empty: name a folder.");
-    expect_rejection({"--qick"}, "unknown option --qick (did you mean --quick?): see windrow pareto --help.");
+    expect_pareto_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_pareto_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_pareto_rejection({"--out", ""}, "--out is empty: name a folder.");
+    expect_pareto_rejection({"--qick"}, "unknown option --qick (did you mean --quick?): see windrow pareto --help.");
 }
 
 TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
     const std::string file = (folder / "file").string();
     std::ofstream(file) << "x";
-    expect_rejection({"--out", file.c_str()},
-                     file + ": is a file where a folder is needed: remove it, or give another folder with --out.");
+    expect_pareto_rejection({"--out", file.c_str()},
+                            file + ": is a file where a folder is needed: remove it, or give another folder with --out.");
 }
 
 // --- What is compared ------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ Wind noisy(const Config& config) {
     return wind;
 }
 
-std::vector<NamedConfig> scenes() {
+std::vector<NamedConfig> queried_scenes() {
     const Config base{.cells = {13, 9, 17},
                       .cell_size = 0.75f,
                       .centre = {3.0, -2.0, 1.0},
@@ -113,7 +113,7 @@ glm::dvec3 extent_of(const Wind& wind) {
 }
 
 TEST(Query, EqualsATrilinearSampleOfTheTextures) {
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : queried_scenes()) {
         const Wind wind = noisy(scene.config);
         const AxisTextures textures(wind, scene.config.centre + glm::dvec3(1.0, -2.0, 0.5));
         Random random(82);
@@ -132,7 +132,7 @@ TEST(Query, EqualsATrilinearSampleOfTheTextures) {
 }
 
 TEST(Query, CellCentresAreTheCells) {
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : queried_scenes()) {
         const Wind wind = noisy(scene.config);
         double worst = 0.0;
         for_each_cell(wind, [&](glm::dvec3 centre, std::size_t n) {
@@ -143,7 +143,7 @@ TEST(Query, CellCentresAreTheCells) {
 }
 
 TEST(Query, IsContinuousAcrossTheRim) {
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : queried_scenes()) {
         const Wind wind = noisy(scene.config);
         const double h = wind.box().cell_size, stride = 1e-3 * h;
         // Along an axis the wind changes by at most twice its size a cell, and beyond an open boundary by all that ambient differs.
@@ -166,7 +166,7 @@ TEST(Query, IsContinuousAcrossTheRim) {
 }
 
 TEST(Query, OutsideIsAmbientWallOrTheOtherSide) {
-    const std::vector<NamedConfig> list = scenes();
+    const std::vector<NamedConfig> list = queried_scenes();
     Random random(84);
     const Wind open = noisy(list[0].config);
     Config boxed = list[1].config;
@@ -193,7 +193,7 @@ TEST(Query, OutsideIsAmbientWallOrTheOtherSide) {
 
 TEST(Query, APointThatIsNoneGetsAmbientAndFarOnesAreFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    for (const NamedConfig& scene : scenes()) {
+    for (const NamedConfig& scene : queried_scenes()) {
         const Wind wind = noisy(scene.config);
         for (const double bad : {nan, infinity, -infinity})
             for (int axis = 0; axis < 3; ++axis) {
@@ -214,11 +214,11 @@ TEST(Query, APointThatIsNoneGetsAmbientAndFarOnesAreFinite) {
 }
 
 TEST(Query, ManyPointsEqualSinglePoints) {
-    const Wind wind = noisy(scenes()[4].config);
+    const Wind wind = noisy(queried_scenes()[4].config);
     Random random(85);
     std::vector<glm::dvec3> points(1000);
     for (glm::dvec3& point : points)
-        point = scenes()[4].config.centre + random.point(12.0);
+        point = queried_scenes()[4].config.centre + random.point(12.0);
     std::vector<glm::vec3> many(points.size());
     wind.velocity(points, many);
     for (std::size_t n = 0; n < points.size(); ++n)
@@ -228,7 +228,7 @@ TEST(Query, ManyPointsEqualSinglePoints) {
 // --- The textures of the axes hold the bits of the cells -------------------------------------------------------------
 
 TEST(Query, AxesEqualTheCellsToTheBit) {
-    Wind wind = noisy(scenes()[0].config);
+    Wind wind = noisy(queried_scenes()[0].config);
     wind.step(0.1);
     const std::size_t count = wind.field().size();
     std::vector<float> whole[3];
@@ -247,7 +247,7 @@ TEST(Query, AxesEqualTheCellsToTheBit) {
 }
 
 TEST(Query, VectorsEqualTheCellsToTheBit) {
-    Wind wind = noisy(scenes()[0].config);
+    Wind wind = noisy(queried_scenes()[0].config);
     wind.step(0.1);
     const std::size_t count = wind.field().size();
     std::vector<float> whole(4 * count, 7.0f);
@@ -262,7 +262,7 @@ TEST(Query, VectorsEqualTheCellsToTheBit) {
 }
 
 TEST(Query, RoomOfAnotherSizeIsRejectedAndUntouched) {
-    const Wind wind = noisy(scenes()[0].config);
+    const Wind wind = noisy(queried_scenes()[0].config);
     const std::size_t count = wind.field().size();
     std::vector<float> right(count, 7.0f), wrong(count - 1, 7.0f);
     std::vector<std::uint16_t> half_right(count, 7), half_wrong(count + 1, 7);
@@ -278,14 +278,14 @@ TEST(Query, RoomOfAnotherSizeIsRejectedAndUntouched) {
     EXPECT_TRUE(std::all_of(right.begin(), right.end(), [](float texel) { return texel == 7.0f; }));
     EXPECT_TRUE(std::all_of(half_right.begin(), half_right.end(), [](std::uint16_t texel) { return texel == 7; }));
 
-    Wind writable = noisy(scenes()[0].config);
+    Wind writable = noisy(queried_scenes()[0].config);
     const Field before = copy(writable.field());
     EXPECT_FALSE(writable.set_velocity(Field(count - 1)));
     EXPECT_EQ(cells_that_differ(before, writable.field()), 0u);
 }
 
 TEST(Query, TheBlockSaysWhereTheTexturesLie) {
-    Config config = scenes()[4].config;
+    Config config = queried_scenes()[4].config;
     config.follow_axes.reset();
     config.boundaries = Boundaries::open_over_floor();
     Wind wind = noisy(config);

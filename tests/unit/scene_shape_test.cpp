@@ -6,6 +6,8 @@
 #include "tests/own_folder.h"
 #include "tests/winds.h"
 
+#include <numbers>
+
 namespace windrow::scene {
 namespace {
 
@@ -193,7 +195,7 @@ TEST(ObjMesh, FacesAreCutWithinTheirOutline) {
     comb.emplace_back(0.0f, 3.0f, 29.0f);
     comb.emplace_back(0.0f, 3.0f, 0.0f);
     const std::pair<std::vector<glm::vec3>, double> outlines[] = {
-        {gate, 30.0}, {star, 40.0 * 0.5 * 3.0 * std::sin(0.05 * test::k_pi)}, {comb, 29.0 * 2.0}};
+        {gate, 30.0}, {star, 40.0 * 0.5 * 3.0 * std::sin(0.05 * std::numbers::pi)}, {comb, 29.0 * 2.0}};
     for (const auto& [outline, expected] : outlines)
         for (const bool back : {false, true})
             for (int turn = 0; turn < 3; ++turn) {

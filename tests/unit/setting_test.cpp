@@ -1,6 +1,6 @@
 // A setting is its declaration and its row: validation, reader, writer, bytes, schema and the tables in docs/ follow from the row.
-#include "fluid/core/validation.h"
 #include "fluid/core/archive.h"
+#include "fluid/core/validation.h"
 #include "scene/setting_reader.h"
 #include "scene/setting_writer.h"
 #include "tests/scene_schema.h"

@@ -30,7 +30,7 @@ CommandOutcome verify(const VerifyRequest& request, int signal = 0) {
     return run_request(run_verify, request, signal);
 }
 
-void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+void expect_verify_rejection(std::vector<const char*> arguments, const std::string& sentence) {
     expect_rejected(verify(std::move(arguments)), sentence);
 }
 
@@ -53,32 +53,36 @@ using VerifyCommand = test::FolderTest;
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(VerifyCommand, WrongFlagsAreNamed) {
-    expect_rejection({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
-    expect_rejection({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
-    expect_rejection({"--device", "0"}, "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
-    expect_rejection({"--backend", "vulkan", "--device", "-1"},
-                     "--device is -1: give a device's number in windrow info, from 0.");
-    expect_rejection({"--backend", "vulkan", "--device", ""},
-                     "--device is empty: give a device's number in windrow info, from 0.");
-    expect_rejection({"--backend", "vulkan", "--case", "fourier_modes"},
-                     "--case is fourier_modes, which runs on the CPU only: drop --backend vulkan.");
-    expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
-    expect_rejection({"--json", ""}, "--json is empty: name a file.");
-    expect_rejection({"--case", ""}, "--case is empty: see windrow verify --list.");
-    expect_rejection({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
-    expect_rejection({"--csae", "abc_flow"}, "unknown option --csae (did you mean --case?): see windrow verify --help.");
+    expect_verify_rejection({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
+    expect_verify_rejection({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
+    expect_verify_rejection({"--device", "0"},
+                            "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
+    expect_verify_rejection({"--backend", "vulkan", "--device", "-1"},
+                            "--device is -1: give a device's number in windrow info, from 0.");
+    expect_verify_rejection({"--backend", "vulkan", "--device", ""},
+                            "--device is empty: give a device's number in windrow info, from 0.");
+    expect_verify_rejection({"--backend", "vulkan", "--case", "fourier_modes"},
+                            "--case is fourier_modes, which runs on the CPU only: drop --backend vulkan.");
+    expect_verify_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_verify_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_verify_rejection({"--json", ""}, "--json is empty: name a file.");
+    expect_verify_rejection({"--case", ""}, "--case is empty: see windrow verify --list.");
+    expect_verify_rejection({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
+    expect_verify_rejection({"--csae", "abc_flow"}, "unknown option --csae (did you mean --case?): see windrow verify --help.");
 }
 
 TEST_F(VerifyCommand, AnUnknownCaseIsRejectedWithTheNearestName) {
-    expect_rejection({"--case", "taylor_gren_2d"},
-                     "--case is taylor_gren_2d, which is unknown (did you mean taylor_green_2d?): see windrow verify --list.");
-    expect_rejection({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is unknown: see windrow verify --list.");
+    expect_verify_rejection(
+        {"--case", "taylor_gren_2d"},
+        "--case is taylor_gren_2d, which is unknown (did you mean taylor_green_2d?): see windrow verify --list.");
+    expect_verify_rejection({"--case", k_quick, "--case", "qqqqqq"},
+                            "--case is qqqqqq, which is unknown: see windrow verify --list.");
 }
 
 TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
-    expect_rejection({"--json", folder.c_str()},
-                     folder.string() + ": is a folder where a file is needed: remove it, or give another file with --json.");
+    expect_verify_rejection({"--json", folder.c_str()},
+                            folder.string() +
+                                ": is a folder where a file is needed: remove it, or give another file with --json.");
 }
 
 TEST_F(VerifyCommand, TheListNamesEachCase) {
@@ -214,8 +218,9 @@ TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     EXPECT_EQ(test::text_of(folder / "plots" / "made_up.csv"), "plot,panel,line,x,y\n"
                                                                "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
                                                                "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
-    expect_rejection({"--plots", ""}, "--plots is empty: name a folder.");
-    expect_rejection({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
+    expect_verify_rejection({"--plots", ""}, "--plots is empty: name a folder.");
+    expect_verify_rejection({"--list", "--plots", "somewhere"},
+                            "--plots is given with --list, which runs nothing: drop one of them.");
 }
 
 // A miss that not_met() names does not pass, but is no fault; once it meets its bound, it must leave that file. A case that only

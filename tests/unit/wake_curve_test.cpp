@@ -3,6 +3,8 @@
 #include "fluid/track.h"
 #include "tests/winds.h"
 
+#include <numbers>
+
 namespace {
 
 using namespace windrow;
@@ -13,7 +15,9 @@ constexpr glm::dvec3 k_middle(0.1, 0.2, -0.3); // of circles: nothing special ab
 using Path = std::function<glm::dvec3(double)>; ///< t from 0 to 1
 
 Path circle(double radius) {
-    return [radius](double t) { return radius * glm::dvec3(std::cos(2.0 * k_pi * t), 0.0, std::sin(2.0 * k_pi * t)) + k_middle; };
+    return [radius](double t) {
+        return radius * glm::dvec3(std::cos(2.0 * std::numbers::pi * t), 0.0, std::sin(2.0 * std::numbers::pi * t)) + k_middle;
+    };
 }
 
 // The body goes along the whole path in `seconds`, so many steps of so many moves.
@@ -29,8 +33,8 @@ Wind passed(WakeMotor body, const Path& path, double seconds, int steps, int mov
     return wind;
 }
 
-// Largest difference of a cell, of the largest speed.
-double difference(const Wind& a, const Wind& b) {
+// Largest wind_difference of a cell, of the largest speed.
+double wind_difference(const Wind& a, const Wind& b) {
     return largest_apart(a.field(), b.field()) / largest_speed(b.field());
 }
 
@@ -44,9 +48,9 @@ TEST(WakeCurve, EightPiecesAStepMakeTheCircleOfEightyFineSteps) {
         const std::string name = drives ? "curve_drive" : "curve_force";
         // A force adds up whatever the steps; a drive's pieces act in one step at once, toward their mean, not one after the
         // other.
-        WINDROW_EXPECT_FIGURE(name + "_8_pieces_against_80_steps", difference(pieces, fine), drives ? 0.05 : 5e-6);
-        WINDROW_EXPECT_FIGURE(name + "_80_chords_against_960", difference(fine, smooth), 0.02);
-        EXPECT_GT(figure(name + "_one_chord_a_step", difference(straight, fine)), 0.1) << "or the pieces do nothing";
+        WINDROW_EXPECT_FIGURE(name + "_8_pieces_against_80_steps", wind_difference(pieces, fine), drives ? 0.05 : 5e-6);
+        WINDROW_EXPECT_FIGURE(name + "_80_chords_against_960", wind_difference(fine, smooth), 0.02);
+        EXPECT_GT(figure(name + "_one_chord_a_step", wind_difference(straight, fine)), 0.1) << "or the pieces do nothing";
     }
 }
 
@@ -55,7 +59,7 @@ std::vector<double> sectors_of(const Wind& wind) {
     std::vector<double> sectors(24);
     for_each_cell(wind, [&](glm::dvec3 centre, std::size_t n) {
         const glm::dvec3 p = centre - k_middle, u(wind.field()[n]);
-        const double across = std::hypot(p.x, p.z), turn = std::atan2(p.z, p.x) / (2.0 * k_pi);
+        const double across = std::hypot(p.x, p.z), turn = std::atan2(p.z, p.x) / (2.0 * std::numbers::pi);
         const auto sector = static_cast<std::size_t>(24.0 * (turn < 0.0 ? turn + 1.0 : turn)) % 24;
         sectors[sector] += (p.x * u.z - p.z * u.x) / across;
     });
@@ -117,7 +121,7 @@ TEST(WakeCurve, ThinningKeepsTheCorner) {
             for (int trial = 0; trial < 20; ++trial) {
                 const int corner = random.integer(2, moves - 2);
                 const glm::dvec3 first = random.direction(), second = glm::normalize(glm::cross(first, random.direction()));
-                const double angle = degrees * k_pi / 180.0;
+                const double angle = degrees * std::numbers::pi / 180.0;
                 const glm::dvec3 turned = std::cos(angle) * first + std::sin(angle) * second;
                 std::vector<glm::dvec3> path;
                 for (int n = 1; n <= moves; ++n)
@@ -168,7 +172,7 @@ TEST(WakeCurve, AFastHostGetsTheWakeOfASlowOne) {
     for (const bool drives : {false, true}) {
         const WakeMotor body{.radius = 1.5f, .law = drives ? decltype(WakeMotor::law)(WakeDrive{}) : WakeForce{}};
         const Wind once = passed(body, straight, 1.0, 10, 1), often = passed(body, straight, 1.0, 10, 40);
-        WINDROW_EXPECT_FIGURE(drives ? "forty_moves_drive" : "forty_moves_force", difference(often, once), 1e-5);
+        WINDROW_EXPECT_FIGURE(drives ? "forty_moves_drive" : "forty_moves_force", wind_difference(often, once), 1e-5);
         WINDROW_EXPECT_FIGURE(drives ? "forty_moves_drive_impulse" : "forty_moves_force_impulse",
                               glm::length(sum_of(often.field()) - sum_of(once.field())) / glm::length(sum_of(once.field())),
                               1e-5);
@@ -177,8 +181,8 @@ TEST(WakeCurve, AFastHostGetsTheWakeOfASlowOne) {
     const WakeMotor body{.radius = 1.5f, .law = WakeForce{}};
     const Wind thinned = passed(body, circle(6.0), 1.0, 5, 40), chords = passed(body, circle(6.0), 1.0, 5, 8);
     const Wind smooth = passed(body, circle(6.0), 1.0, 960, 1);
-    figure("circle_5_steps_of_8_chords", difference(chords, smooth));
-    WINDROW_EXPECT_FIGURE("circle_5_steps_of_40_moves", difference(thinned, smooth), 0.05);
+    figure("circle_5_steps_of_8_chords", wind_difference(chords, smooth));
+    WINDROW_EXPECT_FIGURE("circle_5_steps_of_40_moves", wind_difference(thinned, smooth), 0.05);
 }
 
 // --- The track itself --------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ using namespace windrow::test;
 
 constexpr glm::ivec3 k_window(32, 16, 32), k_large(128, 16, 128);
 
-glm::ivec3 origin_cells(const Wind& wind) {
+glm::ivec3 lattice_origin(const Wind& wind) {
     return glm::ivec3(glm::round(wind.origin()));
 }
 
@@ -37,7 +37,7 @@ void stir(Wind& wind) {
 /// Compares the window's cells with the large box's cells at the same place.
 template <class Body>
 void for_each_shared_cell(const Wind& window, const Wind& large, const Body& body) {
-    const glm::ivec3 offset = origin_cells(window) - origin_cells(large);
+    const glm::ivec3 offset = lattice_origin(window) - lattice_origin(large);
     for_each_cell(k_window, [&](int i, int j, int k) {
         body(glm::ivec3(i, j, k), glm::dvec3(window.field()[window.box().index(i, j, k)]),
              glm::dvec3(large.field()[large.box().index(i + offset.x, j + offset.y, k + offset.z)]));
@@ -68,14 +68,14 @@ void compare_beyond_reach(const std::string& name, double dt, glm::dvec3 walk, i
     stir(large);
     stir(window);
 
-    glm::ivec3 low = origin_cells(window), high = low + k_window;
+    glm::ivec3 low = lattice_origin(window), high = low + k_window;
     double worst = 0.0, squares = 0.0, all = 0.0, near_rim = 0.0;
     double largest_cfl = 0.0;
     int compared = 0;
     for (int n = 1; n <= steps; ++n) {
         ASSERT_TRUE(window.follow(walk * double(n)));
-        low = glm::max(low, origin_cells(window));
-        high = glm::min(high, origin_cells(window) + k_window);
+        low = glm::max(low, lattice_origin(window));
+        high = glm::min(high, lattice_origin(window) + k_window);
         const double before = largest_component(large.field()), after = double(large.step(dt).max_speed);
         ASSERT_EQ(window.step(dt).substeps, 1);
         const double cfl = std::max(before, after) * dt; // cells of 1 m
@@ -84,7 +84,7 @@ void compare_beyond_reach(const std::string& name, double dt, glm::dvec3 walk, i
         low += glm::ivec3(reach, 0, reach); // y has the same sides in both
         high -= glm::ivec3(reach, 0, reach);
     }
-    const glm::ivec3 origin = origin_cells(window);
+    const glm::ivec3 origin = lattice_origin(window);
     for_each_shared_cell(window, large, [&](glm::ivec3 cell, glm::dvec3 a, glm::dvec3 b) {
         const glm::ivec3 place = cell + origin;
         const double error = glm::length(a - b);

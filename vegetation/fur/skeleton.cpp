@@ -15,8 +15,6 @@ namespace {
 
 using windrow::detail::message;
 
-constexpr double k_pi = std::numbers::pi;
-
 double wide(float value) {
     return static_cast<double>(value);
 }
@@ -31,7 +29,7 @@ double distance_to(const Bone& bone, const glm::dvec3& p) {
 // sin of a turning angle, whose turns are counted in double so that hours of time lose nothing.
 double wave(float hz, double seconds, float phase, double times) {
     const double turns = wide(hz) * seconds * times;
-    return std::sin(2.0 * k_pi * (turns - std::floor(turns)) + wide(phase));
+    return std::sin(2.0 * std::numbers::pi * (turns - std::floor(turns)) + wide(phase));
 }
 
 double angle_of(const Swing& swing, double seconds) {

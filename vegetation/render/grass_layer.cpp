@@ -25,16 +25,16 @@ namespace words = windrow::vulkan::shader_words;
 constexpr std::uint32_t k_parts = 4; // groups that share a list: a list of a near chunk has thousands of blades
 constexpr std::uint32_t k_grass_set = 3, k_draw_offset = 8;
 constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::array k_grass_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
 constexpr std::size_t k_plain_bindings = 3; // without the ground's
-constexpr std::array k_swing_bindings{k_bindings[0],
-                                      k_bindings[1],
-                                      k_bindings[2],
+constexpr std::array k_swing_bindings{k_grass_bindings[0],
+                                      k_grass_bindings[1],
+                                      k_grass_bindings[2],
                                       engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
                                       engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
                                       engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
@@ -134,9 +134,9 @@ void GrassLayer::make(const DrawTargets& targets) {
             point(device_, plain_.sets[slot], 5, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, swing_blocks_[slot].buffer);
         }
     } else {
-        plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
+        plain_ = pass(std::span(k_grass_bindings).first(k_plain_bindings), words::field_blades);
     }
-    on_ground_ = pass(k_bindings, words::field_ground);
+    on_ground_ = pass(k_grass_bindings, words::field_ground);
     ground_blocks_ = objects_.frame_buffers(sizeof(windrow::GroundBlock), storage);
     sampler_ = objects_.sampler(engine::Sampler::texels);
 

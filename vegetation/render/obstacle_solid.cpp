@@ -17,7 +17,7 @@ namespace {
 
 constexpr glm::vec3 k_plaster{0.56f, 0.51f, 0.42f};
 constexpr glm::vec3 k_timber{0.20f, 0.135f, 0.080f};
-constexpr glm::vec3 k_cloth{0.150f, 0.042f, 0.026f};
+constexpr glm::vec3 k_solid_cloth{0.150f, 0.042f, 0.026f};
 constexpr glm::vec3 k_stone{0.30f, 0.29f, 0.27f};
 constexpr float k_plate_half = 0.02f;                     // [m] of the drawn thickness
 constexpr float k_frame_out = 0.03f, k_glass_out = 0.05f; // [m] before the wall, so that neither flickers
@@ -132,7 +132,7 @@ struct SolidOf {
     Solid operator()(const Sphere& shape) const { return capsule(shape.radius, 0.0f, colour(k_stone)); }
     Solid operator()(const Capsule& shape) const {
         const float half = glm::length(shape.half_axis);
-        const Solid upright = capsule(shape.radius, half, colour(k_cloth));
+        const Solid upright = capsule(shape.radius, half, colour(k_solid_cloth));
         if (!(half > 0.0f))
             return upright;
         Solid solid;
@@ -155,7 +155,7 @@ struct SolidOf {
     Solid operator()(const Cylinder& shape) const { return cylinder(shape, colour(k_timber)); }
     Solid operator()(const MeshShape& shape) const { return mesh(shape, colour(k_plaster)); }
     Solid operator()(const VoxelShape& shape) const { return voxels(shape, colour(k_plaster)); }
-    Solid operator()(const Ground&) const { return {}; } // the picture's own ground is drawn
+    Solid operator()(const windrow::Ground&) const { return {}; } // the picture's own ground is drawn
     Solid operator()(const Plate& shape) const { return box({shape.half_size, k_plate_half}, colour(k_timber)); }
 };
 

@@ -13,7 +13,7 @@ using namespace person;
 constexpr glm::vec3 k_skin{0.36f, 0.205f, 0.135f}, k_hair{0.030f, 0.018f, 0.010f}, k_felt{0.062f, 0.042f, 0.024f},
     k_band{0.16f, 0.045f, 0.028f}, k_tunic{0.075f, 0.082f, 0.045f}, k_belt{0.045f, 0.024f, 0.012f},
     k_trousers{0.062f, 0.054f, 0.046f}, k_boots{0.052f, 0.028f, 0.014f};
-constexpr int k_sides = 16;
+constexpr int k_limb_sides = 16;
 constexpr float k_neck_to_hip = 0.575f; // [m] from the hips to the head's joint
 constexpr float k_deep = 0.62f;         // of the trunk, over its width
 
@@ -35,7 +35,7 @@ Solid ball(glm::vec3 half, glm::vec3 middle, glm::vec3 colour) {
         const float turn = 3.14159265f * static_cast<float>(n) / static_cast<float>(arc.size() - 1);
         arc[n] = {std::sin(turn), -std::cos(turn)};
     }
-    return scaled(lathe(arc, k_sides, colour), half, middle);
+    return scaled(lathe(arc, k_limb_sides, colour), half, middle);
 }
 
 // A limb down from its joint: radii at its ends and in between, round at both.
@@ -44,7 +44,7 @@ Solid limb(float length, float top, float belly, float end, glm::vec3 colour) {
                             glm::vec2(end, -length), glm::vec2(0.5f * (belly + end) + 0.004f, -0.70f * length),
                             glm::vec2(belly, -0.35f * length), glm::vec2(top, 0.0f), glm::vec2(0.72f * top, 0.55f * top),
                             glm::vec2(0.0f, 0.8f * top)},
-                 k_sides, colour);
+                 k_limb_sides, colour);
 }
 
 void add_part(Solid& whole, std::size_t part, Solid solid) {
@@ -65,9 +65,9 @@ Solid trunk() {
                                        glm::vec2(0.141f, 0.175f)},
                             20, k_belt),
                       {1.0f, 1.0f, k_deep}));
-    add(solid,
-        scaled(lathe(std::array{glm::vec2(0.066f, 0.50f), glm::vec2(0.056f, 0.57f), glm::vec2(0.056f, 0.64f)}, k_sides, k_skin),
-               {1.0f, 1.0f, 1.0f}));
+    add(solid, scaled(lathe(std::array{glm::vec2(0.066f, 0.50f), glm::vec2(0.056f, 0.57f), glm::vec2(0.056f, 0.64f)},
+                            k_limb_sides, k_skin),
+                      {1.0f, 1.0f, 1.0f}));
     for (const float side : {1.0f, -1.0f}) // rounded shoulders
         add(solid, ball({0.062f, 0.052f, 0.056f}, {side * (k_shoulder_aside - 0.022f), 0.485f, 0.0f}, k_tunic));
     return solid;
@@ -159,7 +159,7 @@ Solid person_solid() {
         Solid calf = limb(k_shin, 0.054f, 0.058f, 0.040f, k_trousers);
         add(calf, lathe(std::array{glm::vec2(0.044f, -k_shin - 0.01f), glm::vec2(0.049f, -k_shin + 0.06f),
                                    glm::vec2(0.062f, -0.17f), glm::vec2(0.068f, -0.14f), glm::vec2(0.060f, -0.135f)},
-                        k_sides, k_boots)); // the boot's leg
+                        k_limb_sides, k_boots)); // the boot's leg
         add_part(solid, shin + n, calf);
         add_part(solid, foot + n, boot());
     }

@@ -19,8 +19,8 @@ namespace {
 
 namespace words = windrow::vulkan::shader_words;
 
-constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
-                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT}};
+constexpr std::array k_streak_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
+                                       engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT}};
 constexpr std::size_t k_vertices_of_one = 6 * (StreakWays::k_points - 1);
 
 /// As SolidPlace of vegetation/shaders/render/solid.glsl.
@@ -103,12 +103,12 @@ Result<std::unique_ptr<WindStreaks>> WindStreaks::create(engine::Device& device,
 WindStreaks::WindStreaks(engine::Device& device, const DrawTargets& targets, const WindStreakSettings& settings,
                          const StreakBox& box)
     : objects_(device), settings_(settings), ways_(settings, box) {
-    const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);
+    const VkDescriptorSetLayout own = make_layout(objects_, k_streak_bindings);
     const std::array layouts{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects_, layouts);
     pipeline_ = make_pipeline(
         objects_, {.vertex = words::solid_vert, .fragment = words::solid_frag, .layout = layout_, .target = targets.colour});
-    make_sets(objects_, own, k_bindings, sets_);
+    make_sets(objects_, own, k_streak_bindings, sets_);
     const engine::Buffer unmoved = filled_block(objects_, Unmoved{}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     vertices_ = objects_.frame_buffers(sizeof(SolidVertex) * k_vertices_of_one * static_cast<std::size_t>(settings.count),
                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);

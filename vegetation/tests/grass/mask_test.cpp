@@ -13,7 +13,7 @@ namespace {
 
 using windrow::test::Random;
 
-PlacementMask even(float alpha) {
+PlacementMask even_mask(float alpha) {
     return *PlacementMask::create({65, 65}, {32.0f, 32.0f}, alpha);
 }
 
@@ -24,7 +24,7 @@ std::string file_at(const char* name) {
 TEST(GrassMask, AlphaIsTheSize) {
     const HeightMap ground = *HeightMap::create({33, 33}, 1.0f, [](glm::vec2) { return 0.0f; });
     // From 0 at x = 8 m to 1 at x = 24 m.
-    PlacementMask mask = even(0.0f);
+    PlacementMask mask = even_mask(0.0f);
     (void)mask.apply([](glm::vec2 p, float) { return (p.x - 8.0f) / 16.0f; });
     const GrassSettings settings;
     const Block block = block_of(settings, ground, mask);
@@ -49,7 +49,7 @@ TEST(GrassMask, AlphaIsTheSize) {
 }
 
 TEST(GrassMask, IsPaintedAndErased) {
-    PlacementMask mask = even(0.0f);
+    PlacementMask mask = even_mask(0.0f);
     const auto painted = mask.paint({.centre = {16.0f, 12.0f}, .radius = 6.0f, .hardness = 0.5f});
     ASSERT_TRUE(painted);
     EXPECT_EQ(mask.alpha({16.0f, 12.0f}), 1.0f);
@@ -70,7 +70,7 @@ TEST(GrassMask, IsPaintedAndErased) {
         }
     }
     // Half a stroke twice is one; erasing is painting backwards.
-    PlacementMask twice = even(0.0f);
+    PlacementMask twice = even_mask(0.0f);
     for (int n = 0; n < 2; ++n)
         ASSERT_TRUE(twice.paint({.centre = {16.0f, 12.0f}, .radius = 6.0f, .strength = 0.5f}));
     double off = 0.0;
@@ -88,7 +88,7 @@ TEST(GrassMask, IsPaintedAndErased) {
 }
 
 TEST(GrassMask, ComesBackFromItsImageToTheBit) {
-    PlacementMask mask = even(0.0f);
+    PlacementMask mask = even_mask(0.0f);
     Random random(4);
     (void)mask.apply([&](glm::vec2, float) { return random.uniform(-0.1f, 1.1f); });
     const std::string path = file_at("grass_mask.pgm");
@@ -114,14 +114,14 @@ TEST(GrassMask, ComesBackFromItsImageToTheBit) {
 
 TEST(GrassMask, RejectsWhatItCannotUse) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    PlacementMask mask = even(0.5f);
+    PlacementMask mask = even_mask(0.5f);
     for (const Brush& wrong : {Brush{.centre = {nan, 0.0f}}, Brush{.radius = 0.0f}, Brush{.radius = nan}, Brush{.strength = 1.5f},
                                Brush{.hardness = -1.0f}}) {
         EXPECT_FALSE(mask.paint(wrong));
         EXPECT_FALSE(mask.erase(wrong));
     }
     for (const float value : mask.values())
-        ASSERT_EQ(value, even(0.5f).values()[0]);
+        ASSERT_EQ(value, even_mask(0.5f).values()[0]);
     EXPECT_FALSE(PlacementMask::create({1, 9}, {1.0f, 1.0f}));
     EXPECT_FALSE(PlacementMask::create({9, 9}, {nan, 1.0f}));
     EXPECT_FALSE(PlacementMask::create({9, 9}, {1.0f, 1.0f}, 2.0f));

@@ -26,8 +26,8 @@ constexpr GoldenScene k_scenes[] = {
 // (GALLIUM_OVERRIDE_CPU_CAPS=sse2), a mean of 4.3e-4 and 9 at most in one channel. Other compilers shift blades by rounding as
 // well, hence fifty times that. A sun turned by 3 degrees is a mean of 0.037 (the slice, whose ground alone is lit) to 1.6, a
 // wind turned by 10 degrees 1.8 to 10.
-constexpr double k_mean = 0.02;  // [8-bit steps]
-constexpr double k_far = 0.0005; // ten pixels
+constexpr double k_golden_mean = 0.02;  // [8-bit steps]
+constexpr double k_golden_far = 0.0005; // ten pixels
 
 class Golden : public testing::TestWithParam<GoldenScene> {};
 
@@ -55,8 +55,8 @@ TEST_P(Golden, IsWhatWasAccepted) {
         << golden << " is " << wanted->width << " x " << wanted->height << " px, the scene " << drawn->width << " x "
         << drawn->height << how;
     const test::Apart off = test::apart(*drawn, *wanted);
-    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/mean", off.mean, k_mean);
-    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/far_fraction", off.far, k_far);
+    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/mean", off.mean, k_golden_mean);
+    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/far_fraction", off.far, k_golden_far);
     windrow::test::figure("images/golden/" + name + "/most", off.max);
     const std::filesystem::path file = test::left_behind(name, "difference");
     std::filesystem::remove(file);

@@ -18,7 +18,7 @@ namespace windrow::vegetation::program {
 namespace {
 
 constexpr double k_rate = 20.0; // [Hz]
-constexpr std::int64_t k_in_the_gust = 50, k_gust_frames = 4, k_after_it = 74, k_frames = 8;
+constexpr std::int64_t k_in_the_gust = 50, k_gust_frames = 4, k_after_it = 74, k_moved_frames = 8;
 constexpr std::size_t k_later = 5;                   // [frames]
 constexpr std::int64_t k_least_frames = k_later + 1; // of what must fail
 
@@ -109,7 +109,7 @@ class Shot {
 TEST(LongMeadowMotion, IsNeitherBoilingNorFrozen) {
     Shot springs(true);
     const double in_the_gust = apart_after(1, springs.draw(k_in_the_gust, k_gust_frames));
-    const auto swinging = springs.draw(k_after_it, k_frames);
+    const auto swinging = springs.draw(k_after_it, k_moved_frames);
     const auto stiff = Shot(false).draw(k_after_it, k_least_frames);
     const auto frozen = Shot(true, k_still).draw(k_after_it, k_least_frames);
 

@@ -12,20 +12,20 @@ namespace {
 using nlohmann::json;
 using test::Folder;
 
-windrow::Result<PictureScene> read(const std::string& body, const std::string& rest = "") {
+windrow::Result<PictureScene> read_body(const std::string& body, const std::string& rest = "") {
     return read_picture_scene_text(
         R"({"paths": {"way": {"points": [[0, 0, 0, 0], [2, 0, 0, 4], [4, 4, 0, 4]]}}, "picture": {"bodies": [)" + body + "]" +
             rest + "}}",
         "a.json");
 }
 
-std::string rejection(const std::string& body, const std::string& rest = "") {
-    const auto scene = read(body, rest);
+std::string body_rejection(const std::string& body, const std::string& rest = "") {
+    const auto scene = read_body(body, rest);
     return scene ? std::string() : scene.error();
 }
 
 TEST(BodyReader, BodyWithoutKeysStandsAtTheOrigin) {
-    const auto scene = read(R"({"coats": [{}]})");
+    const auto scene = read_body(R"({"coats": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
     EXPECT_TRUE(std::holds_alternative<fur::CubeSphere>(body.mesh));
@@ -56,7 +56,7 @@ TEST(BodyReader, SpecimensCoatIsReadWhole) {
 }
 
 TEST(BodyReader, FurLineGivesWhatTheSceneDoesNotSay) {
-    const auto scene = read(R"({"mesh": {"file": {"name": "a.obj"}}, "coats": [
+    const auto scene = read_body(R"({"mesh": {"file": {"name": "a.obj"}}, "coats": [
         {}, {"layers": {"shells": 20, "length": 0.5}}, {"strands": {"density": 30, "thickness": 2}}]})");
     ASSERT_TRUE(scene) << scene.error();
     const std::vector<BodyCoat>& coats = scene->picture.bodies.at(0).coats;
@@ -78,7 +78,8 @@ TEST(BodyReader, FurLineGivesWhatTheSceneDoesNotSay) {
 }
 
 TEST(BodyReader, WhatTheFurLineSaysIsNotWritten) {
-    const auto scene = read(R"({"mesh": {"file": {"name": "a.obj"}}, "coats": [{"layers": {"shells": 20}}]}, {"coats": [{}]})");
+    const auto scene =
+        read_body(R"({"mesh": {"file": {"name": "a.obj"}}, "coats": [{"layers": {"shells": 20}}]}, {"coats": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
     const json bodies = write_picture(*scene)["bodies"];
     const json& file = bodies[0]["coats"][0];
@@ -92,7 +93,7 @@ TEST(BodyReader, WhatTheFurLineSaysIsNotWritten) {
 TEST(BodyReader, EachKindOfMeshComesBackIdentical) {
     const json given = json::parse(test::k_specimen)["picture"]["bodies"];
     for (std::size_t n = 1; n < given.size(); ++n) {
-        const auto scene = read(given[n].dump());
+        const auto scene = read_body(given[n].dump());
         ASSERT_TRUE(scene) << scene.error();
         EXPECT_EQ(write_picture(*scene)["bodies"][0]["mesh"], given[n]["mesh"]);
     }
@@ -100,7 +101,7 @@ TEST(BodyReader, EachKindOfMeshComesBackIdentical) {
 
 TEST(BodyReader, Rejections) {
     const auto expect = [](const std::string& body, const std::string& sentence, const std::string& rest = "") {
-        EXPECT_EQ(rejection(body, rest), sentence) << body;
+        EXPECT_EQ(body_rejection(body, rest), sentence) << body;
     };
     expect("3", "a.json: $.picture.bodies[0] is 3: give an object, {...}.");
     expect(
@@ -168,7 +169,7 @@ TEST(BodyReader, WhatValidateRejectsCannotBeRead) {
 }
 
 TEST(BodyPose, FollowsItsPathAndFacesAlongIt) {
-    const auto scene = read(R"({"place": {"position": [0, 0.5, 0]}, "motion": {"path": "way"}})");
+    const auto scene = read_body(R"({"place": {"position": [0, 0.5, 0]}, "motion": {"path": "way"}})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
     const windrow::Pose first = pose_of(*scene, body, 1.0), second = pose_of(*scene, body, 3.0),
@@ -181,7 +182,7 @@ TEST(BodyPose, FollowsItsPathAndFacesAlongIt) {
 }
 
 TEST(BodyPose, SpinSwayAndHop) {
-    const auto scene = read(
+    const auto scene = read_body(
         R"({"motion": {"spin_hz": 0.25, "sway": {"by": [1, 0, 0], "hz": 0.5}, "hop": {"height": 2, "hz": 1, "rest": 0.5}}})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);

@@ -14,7 +14,7 @@ namespace {
 
 namespace person = render::person;
 
-windrow::Result<PictureScene> read(const std::string& points) {
+windrow::Result<PictureScene> read_walk(const std::string& points) {
     return read_picture_scene_text(R"({"paths": {"way": {"points": )" + points + R"(}}, "picture": {"ground_memory": {},
         "ground": {"hills": {"height": 3, "length": 20}}, "walkers": [{"path": "way"}]}})",
                                    "a.json");
@@ -25,7 +25,7 @@ constexpr const char* k_run = "[[0, 0, 0, 0], [4, 0, 0, 18]]";
 
 TEST(Gait, FootThatStandsDoesNotSlideAndSwingsTakeItOn) {
     for (const char* points : {k_stroll, k_run}) {
-        const auto scene = read(points);
+        const auto scene = read_walk(points);
         ASSERT_TRUE(scene) << scene.error();
         const Gait gait(scene->air.paths[0].path);
         int stands = 0, both_down = 0, none_down = 0;
@@ -58,7 +58,7 @@ TEST(Gait, FootThatStandsDoesNotSlideAndSwingsTakeItOn) {
 }
 
 TEST(Gait, StrideGrowsWithTheSpeedAndWhoStandsStands) {
-    const auto slow = read(k_stroll), fast = read(k_run), still = read("[[0, 3, 0, 4]]");
+    const auto slow = read_walk(k_stroll), fast = read_walk(k_run), still = read_walk("[[0, 3, 0, 4]]");
     ASSERT_TRUE(slow && fast && still);
     const Gait walk(slow->air.paths[0].path), run(fast->air.paths[0].path), stand(still->air.paths[0].path);
     EXPECT_GT(windrow::test::figure("gait/stride_walk", walk.stride()), 1.2); // people: 1.4 to 1.6 m at 1.35 m/s
@@ -73,7 +73,7 @@ TEST(Gait, StrideGrowsWithTheSpeedAndWhoStandsStands) {
 
 TEST(Gait, LegsKeepTheirLengthKneesBendForwardAndAnklesAreWhereTheFeetStand) {
     for (const char* points : {k_stroll, k_run}) {
-        const auto scene = read(points);
+        const auto scene = read_walk(points);
         ASSERT_TRUE(scene) << scene.error();
         const Gait gait(scene->air.paths[0].path);
         double off = 0.0, missed = 0.0, backward = 0.0, jump = 0.0;

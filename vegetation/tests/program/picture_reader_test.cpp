@@ -11,7 +11,7 @@ namespace {
 
 using test::Folder;
 
-windrow::Result<PictureScene> read(const std::string& picture) {
+windrow::Result<PictureScene> read_picture(const std::string& picture) {
     return read_picture_scene_text(
         R"({"paths": {"walk": {"points": [[0, 0, 0.5, 0], [2, 4, 0.5, 0]]}}, "picture": )" + picture + "}", "a.json");
 }
@@ -34,7 +34,7 @@ TEST(PictureReader, SceneWithoutAPictureHasTheStructuresDefaults) {
 }
 
 TEST(PictureReader, LayerWithoutKeysIsMeadowGrassEverywhere) {
-    const auto scene = read(R"({"grass": [{}]})");
+    const auto scene = read_picture(R"({"grass": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
     const GrassSource& layer = scene->picture.grass.at(0);
     EXPECT_EQ(layer.drawn.field.density, grass::GrassSettings{}.density);
@@ -46,7 +46,8 @@ TEST(PictureReader, LayerWithoutKeysIsMeadowGrassEverywhere) {
 }
 
 TEST(PictureReader, ClassGivesTheStalkThatKeysThenChange) {
-    const auto scene = read(R"({"grass": [{"class": "reed"}, {"class": "reed", "length": 1.5, "stalk": {"rigidity": 2}}]})");
+    const auto scene =
+        read_picture(R"({"grass": [{"class": "reed"}, {"class": "reed", "length": 1.5, "stalk": {"rigidity": 2}}]})");
     ASSERT_TRUE(scene) << scene.error();
     const windrow::Drag& plain = scene->picture.grass[0].drawn.field.blade.stalk;
     const windrow::Drag& changed = scene->picture.grass[1].drawn.field.blade.stalk;
@@ -77,8 +78,9 @@ TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
 
 TEST(PictureReader, HillsRiseUponLowToTheirHeightAndOtherSeedsGiveOthers) {
     const auto hills = [](int seed) {
-        const auto scene = read(R"({"ground": {"low": -3, "extent": [400, 400], "hills": {"height": 8, "length": 20, "seed": )" +
-                                std::to_string(seed) + "}}}");
+        const auto scene =
+            read_picture(R"({"ground": {"low": -3, "extent": [400, 400], "hills": {"height": 8, "length": 20, "seed": )" +
+                         std::to_string(seed) + "}}}");
         EXPECT_TRUE(scene) << scene.error();
         return std::vector<float>(scene->picture.ground.heights->heights().begin(),
                                   scene->picture.ground.heights->heights().end());
@@ -105,8 +107,8 @@ TEST(PictureReader, HeightsOfEightBitsToo) {
 TEST(PictureReader, LevelGroundHasSquareTexelsThatFitItsSides) {
     for (const glm::dvec2 extent :
          {glm::dvec2(100.0, 33.3), glm::dvec2(500.0, 500.0), glm::dvec2(0.5, 2.0), glm::dvec2(7.0, 3.0)}) {
-        const auto scene =
-            read(R"({"ground": {"low": 4, "extent": [)" + std::to_string(extent.x) + ", " + std::to_string(extent.y) + "]}}");
+        const auto scene = read_picture(R"({"ground": {"low": 4, "extent": [)" + std::to_string(extent.x) + ", " +
+                                        std::to_string(extent.y) + "]}}");
         ASSERT_TRUE(scene) << scene.error();
         const HeightMap& heights = *scene->picture.ground.heights;
         EXPECT_NEAR(heights.extent().x, extent.x, 1e-3 * heights.grid().spacing.x);
@@ -148,7 +150,7 @@ TEST(PictureReader, CameraMovesOnItsPathAboveTheGround) {
 }
 
 TEST(PictureReader, WalkerWalksAndJumpsOnAParabola) {
-    const auto scene = read(
+    const auto scene = read_picture(
         R"({"ground_memory": {}, "walkers": [{"path": "walk", "weight": 0.5, "airborne": [{"from": 1, "until": 2, "height": 0.8}]}]})");
     ASSERT_TRUE(scene) << scene.error();
     const windrow::GroundWalker step = walker_at(*scene, scene->picture.walkers.at(0), 1.25, 1.5);

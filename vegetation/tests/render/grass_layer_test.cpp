@@ -13,7 +13,7 @@ namespace {
 
 constexpr glm::dvec3 k_corner{4e5, 30.0, -2.5e5}; // [m]
 constexpr double k_frame = 1.0 / 30.0;            // [s]
-constexpr int k_width = 320, k_height = 240;
+constexpr int k_layer_width = 320, k_layer_height = 240;
 
 // 24 m x 24 m of bumps, a corner two metres.
 Ground bumps() {
@@ -36,7 +36,7 @@ Scene scene_of(const Ground& ground) {
 }
 
 RenderSettings small_picture() {
-    return {.width = k_width, .height = k_height, .samples = 1, .shadow_texels = 256, .anchor = k_corner};
+    return {.width = k_layer_width, .height = k_layer_height, .samples = 1, .shadow_texels = 256, .anchor = k_corner};
 }
 
 grass::PlacementMask everywhere(const Ground& ground) {
@@ -113,8 +113,9 @@ TEST(GrassLayer, IsDrawnAndShadesItself) {
         light[shadows] = stage.renderer->images().light_picture();
         const int drawn = pixels_apart(bare, stage.renderer->images().picture(), 6);
         if (shadows == 0) {
-            windrow::test::figure("render/grass/share_of_pixels_changed", drawn / static_cast<double>(k_width * k_height));
-            EXPECT_GT(drawn, k_width * k_height / 5);
+            windrow::test::figure("render/grass/share_of_pixels_changed",
+                                  drawn / static_cast<double>(k_layer_width * k_layer_height));
+            EXPECT_GT(drawn, k_layer_width * k_layer_height / 5);
         }
     }
     // Pixels that lose a tenth of their light and more: a meadow shades itself, and the far map adds what lies beyond the near
@@ -156,7 +157,8 @@ TEST_P(GrassLayerMotion, IsTheDifferenceOfPlacesInBothFramesWinds) {
     const grass::Block block = grass::block_of(field, ground.heights, mask);
     const auto seen = [&](const Camera& camera, glm::dvec3 p) {
         const glm::dvec4 clip =
-            glm::dmat4(view_projection(camera, static_cast<float>(k_width) / k_height, k_corner)) * glm::dvec4(p, 1.0);
+            glm::dmat4(view_projection(camera, static_cast<float>(k_layer_width) / k_layer_height, k_corner)) *
+            glm::dvec4(p, 1.0);
         return 0.5 * glm::dvec2(clip) / clip.w + 0.5;
     };
     double worst = 0.0, most = 0.0, apart = 0.0, moved = 0.0;
@@ -183,12 +185,13 @@ TEST_P(GrassLayerMotion, IsTheDifferenceOfPlacesInBothFramesWinds) {
         for (const float h : {2.0f * step, 3.0f * step, 4.0f * step, 5.0f * step}) {
             const double wide = seen(now, point(blade, h, 1.0f)).x - seen(now, point(blade, h, -1.0f)).x;
             const glm::dvec2 place = seen(now, point(blade, h, 0.0f)), expected = motion_at(h, 0.0f);
-            const int column = static_cast<int>(std::floor(place.x * k_width)),
-                      row = static_cast<int>(std::floor(place.y * k_height));
-            if (std::abs(wide) * k_width < 6.0 || column < 1 || row < 1 || column >= k_width - 1 || row >= k_height - 1)
+            const int column = static_cast<int>(std::floor(place.x * k_layer_width)),
+                      row = static_cast<int>(std::floor(place.y * k_layer_height));
+            if (std::abs(wide) * k_layer_width < 6.0 || column < 1 || row < 1 || column >= k_layer_width - 1 ||
+                row >= k_layer_height - 1)
                 continue; // on edge, or out of the picture
             // The centre of a pixel is up to .71 px from the point: error at most that times the gradient, over each triangle there.
-            const glm::dvec2 size(k_width, k_height);
+            const glm::dvec2 size(k_layer_width, k_layer_height);
             for (int axis = 0; axis < 2; ++axis) {
                 double slope = 0.0;
                 for (const float next : {h - step, h + step})

@@ -9,25 +9,25 @@
 namespace windrow::vegetation::render {
 namespace {
 
-constexpr glm::dvec3 k_corner{-3e4, 12.0, 8e4}; // [m]
-constexpr double k_frame = 0.1;                 // [s]
+constexpr glm::dvec3 k_trail_corner{-3e4, 12.0, 8e4}; // [m]
+constexpr double k_trail_frame = 0.1;                 // [s]
 
 Ground level_ground() {
-    return {.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
+    return {.corner = k_trail_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
 }
 
 Scene still_scene(const Ground& ground) {
     Scene scene;
     scene.ground = ground;
     scene.wind.wind.cells = {8, 4, 8};
-    scene.wind.wind.centre = k_corner + glm::dvec3(12.0, 2.0, 12.0);
+    scene.wind.wind.centre = k_trail_corner + glm::dvec3(12.0, 2.0, 12.0);
     return scene;
 }
 
 Camera camera_over(double height) {
     Camera camera;
-    camera.position = k_corner + glm::dvec3(12.0, height, 21.0);
-    camera.target = k_corner + glm::dvec3(12.0, 0.0, 12.0);
+    camera.position = k_trail_corner + glm::dvec3(12.0, height, 21.0);
+    camera.target = k_trail_corner + glm::dvec3(12.0, 0.0, 12.0);
     return camera;
 }
 
@@ -53,24 +53,24 @@ Lean leans(test::GrassStage& stage, GrassLayer& grass) {
 TEST(GrassTrail, StaysWhereSomeoneWalked) {
     const Ground ground = level_ground();
     test::GrassStage stage(still_scene(ground),
-                           {.width = 160, .height = 90, .samples = 1, .shadow_texels = 64, .anchor = k_corner});
+                           {.width = 160, .height = 90, .samples = 1, .shadow_texels = 64, .anchor = k_trail_corner});
     const auto mask = *grass::PlacementMask::create({33, 33}, ground.heights.extent(), 1.0f);
     GrassLayer& grass = stage.grow(mask, {.field = {.density = 10.0f}, .shadows = 0});
     const Camera camera = camera_over(5.0);
-    stage.draw(camera, k_frame);
+    stage.draw(camera, k_trail_frame);
     const Picture8 untouched = stage.renderer->images().picture();
-    stage.remember({}, k_corner + glm::dvec3(12.0, 0.0, 12.0));
-    stage.draw(camera, k_frame);
+    stage.remember({}, k_trail_corner + glm::dvec3(12.0, 0.0, 12.0));
+    stage.draw(camera, k_trail_frame);
     const Lean before = leans(stage, grass);
     EXPECT_EQ(before.on_the_way, 0.0); // still air, nobody yet
     EXPECT_EQ(stage.renderer->images().picture().values, untouched.values);
 
     windrow::GroundWalker walker{.radius = 0.5f};
-    for (double z = 15.0; z > 10.0; z -= 2.5 * k_frame) {
-        walker.previous = k_corner + glm::dvec3(12.0, 0.0, z + 2.5 * k_frame);
-        walker.position = k_corner + glm::dvec3(12.0, 0.0, z);
+    for (double z = 15.0; z > 10.0; z -= 2.5 * k_trail_frame) {
+        walker.previous = k_trail_corner + glm::dvec3(12.0, 0.0, z + 2.5 * k_trail_frame);
+        walker.position = k_trail_corner + glm::dvec3(12.0, 0.0, z);
         stage.walkers = {walker};
-        stage.draw(camera, k_frame);
+        stage.draw(camera, k_trail_frame);
     }
     const Lean after = leans(stage, grass);
     stage.walkers.clear();
@@ -93,7 +93,7 @@ TEST(GrassTrail, StaysWhereSomeoneWalked) {
 
     // Without the memory it is the meadow of before.
     grass.set_ground(nullptr);
-    stage.draw(camera, k_frame);
+    stage.draw(camera, k_trail_frame);
     EXPECT_EQ(stage.renderer->images().picture().values, untouched.values);
 }
 
@@ -104,15 +104,15 @@ TEST(GrassThinning, CoversAsMuchByFewerBlades) {
     std::size_t blades[2]{};
     double covered[2]{}, areas[2]{};
     for (int thins = 0; thins < 2; ++thins) {
-        test::GrassStage stage(still_scene(ground), {.width = 1280, .height = 720, .samples = 1, .anchor = k_corner});
+        test::GrassStage stage(still_scene(ground), {.width = 1280, .height = 720, .samples = 1, .anchor = k_trail_corner});
         const Camera camera = camera_over(9.0);
-        stage.draw(camera, k_frame);
+        stage.draw(camera, k_trail_frame);
         const PictureF bare = stage.renderer->images().light_picture();
         grass::GrassSettings field{.density = 6.0f, .cut_distance = 26.0f, .shadow_distance = 0.0f, .thin_from = 5.0f};
         field.blade.width = 0.06f; // wider than the least that is drawn: a pixel is 13 mm
         field.thin_power = thins == 1 ? 1.5f : 0.0f;
         GrassLayer& grass = stage.grow(mask, {.field = field, .shadows = 0});
-        stage.draw(camera, k_frame);
+        stage.draw(camera, k_trail_frame);
         const PictureF grown = stage.renderer->images().light_picture();
         blades[thins] = stage.drawn(grass);
         for (const FieldBlade& blade : stage.values_of<FieldBlade>(grass.visible_blades(), blades[thins]))

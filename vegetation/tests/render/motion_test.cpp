@@ -12,7 +12,7 @@ namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::dvec3 k_anchor{4e5, 0.0, -2.5e5}; // [m]
-constexpr int k_width = 320, k_height = 240;
+constexpr int k_motion_width = 320, k_motion_height = 240;
 constexpr double k_frame = 1.0 / 30.0; // [s]
 
 Scene windy_scene() {
@@ -28,7 +28,7 @@ Scene windy_scene() {
 }
 
 RenderSettings small_picture() {
-    return {.width = k_width, .height = k_height, .samples = 1, .shadow_texels = 64, .anchor = k_anchor};
+    return {.width = k_motion_width, .height = k_motion_height, .samples = 1, .shadow_texels = 64, .anchor = k_anchor};
 }
 
 Camera camera_at(double x, double turn) {
@@ -41,7 +41,7 @@ Camera camera_at(double x, double turn) {
 // Place in the picture, 0 to 1.
 glm::dvec2 seen(const Camera& camera, glm::dvec3 p) {
     const glm::dvec4 clip =
-        glm::dmat4(view_projection(camera, static_cast<float>(k_width) / k_height, k_anchor)) * glm::dvec4(p, 1.0);
+        glm::dmat4(view_projection(camera, static_cast<float>(k_motion_width) / k_motion_height, k_anchor)) * glm::dvec4(p, 1.0);
     return 0.5 * glm::dvec2(clip) / clip.w + 0.5;
 }
 
@@ -60,12 +60,13 @@ TEST(Motion, OfGroundAndSkyIsTheCamerasOwn) {
     stage.draw(before, k_frame);
     stage.draw(now, k_frame);
     const PictureF motion = stage.renderer->images().motion_picture();
-    const glm::dmat4 back = glm::inverse(glm::dmat4(view_projection(now, static_cast<float>(k_width) / k_height, k_anchor)));
+    const glm::dmat4 back =
+        glm::inverse(glm::dmat4(view_projection(now, static_cast<float>(k_motion_width) / k_motion_height, k_anchor)));
     const glm::dvec3 eye = now.position - k_anchor;
     double worst = 0.0, most = 0.0;
-    for (int row = 2; row < k_height; row += 7)
-        for (int column = 2; column < k_width; column += 7) {
-            const glm::dvec2 place((column + 0.5) / k_width, (row + 0.5) / k_height);
+    for (int row = 2; row < k_motion_height; row += 7)
+        for (int column = 2; column < k_motion_width; column += 7) {
+            const glm::dvec2 place((column + 0.5) / k_motion_width, (row + 0.5) / k_motion_height);
             const glm::dvec4 far = back * glm::dvec4(2.0 * place - 1.0, 1.0, 1.0);
             const glm::dvec3 ray = glm::normalize(glm::dvec3(far) / far.w - eye);
             if (std::abs(ray.y) < 0.03)
