@@ -31,7 +31,9 @@ function(windrow_compile target)
     target_compile_options(${target} PRIVATE -Wno-shadow $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
   if(WINDROW_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=${WINDROW_SANITIZE} -fno-omit-frame-pointer)
+    # GCC takes what a sanitizer adds for uses of unset values.
+    target_compile_options(${target} PRIVATE -fsanitize=${WINDROW_SANITIZE} -fno-omit-frame-pointer
+                           $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
     target_link_options(${target} PUBLIC -fsanitize=${WINDROW_SANITIZE})
     if(arg_LIGHT AND WINDROW_SANITIZE MATCHES "undefined")
       # Checks of each pointer double the time of compiling; outside the library AddressSanitizer's own will do.
