@@ -11,7 +11,7 @@ namespace windrow::cases {
 
 /// [s]
 inline constexpr double k_bench_dt = 1.0 / 60.0;
-/// After these the flow is laid in anew: until then the jets have not left the box.
+/// After these the flow is laid in again: until then the jets have not left the box.
 inline constexpr int k_steps_of_flow = 60;
 /// [m/s]
 inline constexpr glm::vec3 k_bench_ambient{6.0f, 0.0f, 2.0f};

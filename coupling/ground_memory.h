@@ -38,7 +38,7 @@ class WINDROW_API GroundMemory {
     /// bits.
     [[nodiscard]] static Result<GroundMemory> create(const GroundConfig& config, ParallelFor parallel_for = {});
 
-    /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins anew there.
+    /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins again there.
     Result<void> follow(glm::dvec3 point);
     /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Rejects what is not finite or out of
     /// range, with nothing changed. Of more walkers than GroundConfig::max_walkers that touch the window the first ones count.

@@ -1,7 +1,7 @@
 #include "fluid/event_log.h"
 
-#include "fluid/core/replay.h"
 #include "fluid/core/archive.h"
+#include "fluid/core/replay.h"
 #include "fluid/core/shape_record.h"
 #include "fluid/wind.h"
 
@@ -78,7 +78,7 @@ void fields(auto& archive, Like<GustsSet> auto& event) {
     archive(intensity, length, seed, tile);
 }
 
-void fields(auto& archive, Like<SidesSet> auto& event) {
+void fields(auto& archive, Like<BoundariesSet> auto& event) {
     auto& [boundaries] = event;
     archive(boundaries);
 }

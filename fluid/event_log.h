@@ -75,7 +75,7 @@ struct GustsSet {
     std::uint32_t seed;
     bool tile; ///< the host gave a tile, which stays without gusts too
 };
-struct SidesSet {
+struct BoundariesSet {
     Boundaries boundaries;
 };
 struct VelocitySet {
@@ -95,9 +95,9 @@ struct TickRecorded {
     bool rests;            ///< the air became ambient and sleeps
 };
 
-using Event =
-    std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved, ObstacleRemoved,
-                 Followed, FloorSet, AmbientSet, GustsSet, SidesSet, VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
+using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved,
+                           ObstacleRemoved, Followed, FloorSet, AmbientSet, GustsSet, BoundariesSet, VelocitySet, WindReset,
+                           Stepped, Advanced, TickRecorded>;
 
 class WINDROW_API EventLog {
   public:

@@ -175,7 +175,7 @@ const Obstacle* Obstacles::find(ObstacleId id) const {
 void Obstacles::note_change(std::uint32_t index) {
     if (!reaches(list_[index]))
         return;
-    search_ = changed_ = stirred_ = true;
+    search_ = changed_ = moved_ = true;
 }
 
 // --- Rest and motion ---------------------------------------------------------------------------------------------------------
@@ -268,7 +268,7 @@ bool Obstacles::carry(double duration) {
         motion->moved = moves;
         if (motion->reaches)
             moving_.push_back(now);
-        stirred_ = stirred_ || (motion->reaches && moves);
+        moved_ = moved_ || (motion->reaches && moves);
     }
     return changed;
 }

@@ -78,7 +78,7 @@ class WINDROW_API Obstacles {
     /// True where what `tick` returned, or the box, may differ from when this was asked last.
     [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
     /// True where one that reached the box was added, replaced or removed, or one moves there, since this was asked last.
-    [[nodiscard]] bool take_stirred() { return std::exchange(stirred_, false); }
+    [[nodiscard]] bool take_moved() { return std::exchange(moved_, false); }
     /// What the last tick returned, and whether that may differ from what was asked for last: air that sleeps does not ask.
     [[nodiscard]] std::span<const detail::PlacedObstacle> in_reach() const { return placed_; }
     [[nodiscard]] bool changed() const { return changed_; }
@@ -130,7 +130,7 @@ class WINDROW_API Obstacles {
     Boundaries boundaries_{};
     bool ticked_ = false;
     bool search_ = false; ///< `resting_` is not that of the list and the window
-    bool changed_ = false, stirred_ = false;
+    bool changed_ = false, moved_ = false;
     std::size_t visited_ = 0;
     EventLog* log_ = nullptr;
 };

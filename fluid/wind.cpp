@@ -102,7 +102,7 @@ Result<void> Wind::write_pressure(std::span<float> cells) {
 }
 
 std::span<const glm::vec4> Wind::field() const {
-    state_->cells.hold_air();
+    state_->cells.materialise_air();
     return std::as_const(state_->cells.air.velocity);
 }
 

@@ -44,7 +44,7 @@ class WINDROW_API WindControl {
     /// Changes the gusts; the air of the box changes with them at once, so ramp the intensity. Rejects what `validate` rejects.
     /// Allocates when gusts begin. On a device, gusts that begin after a wind without any need vulkan::Settings::gusts.
     [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
-    /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history anew. Rejects what
+    /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history again. Rejects what
     /// `validate` rejects and a wall across an axis that follows.
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
 
@@ -61,7 +61,7 @@ class WINDROW_API WindControl {
     [[nodiscard]] const Box& box() const;
 
     // --- Setting the air ----------------------------------------------------------------------------------------------
-    /// Sets every cell from a function of its centre's world position; the second-order history starts anew, and with ticks
+    /// Sets every cell from a function of its centre's world position; the second-order history starts again, and with ticks
     /// the next frame shows these cells alone, not blended with what was before. Values that are not finite are caught by the
     /// next step. On a device the cells travel inside the next recording's command buffer; without memory for them it fails.
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);

@@ -6,11 +6,11 @@
 // states give equal bytes: unused fields are omitted (the second-order history of fresh air, the report of a sleeping wind
 // while it is awake).
 #include "fluid/core/ambient_record.h"
+#include "fluid/core/archive.h"
 #include "fluid/core/message.h"
+#include "fluid/core/obstacle_record.h"
 #include "fluid/core/snapshot.h"
 #include "fluid/cpu/workspace.h"
-#include "fluid/core/archive.h"
-#include "fluid/core/obstacle_record.h"
 #include "fluid/wind_state.h"
 
 #include <algorithm>
@@ -340,7 +340,7 @@ LoadedWind loaded(Wind& wind) {
 }
 
 Result<std::vector<std::byte>> Wind::save() const {
-    state_->cells.hold_all();
+    state_->cells.materialise_all();
     const State& state = *state_;
     const WindCore& core = state.core;
     const cpu::Cells& cells = state.cells;

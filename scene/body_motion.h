@@ -84,7 +84,7 @@ struct BodyMotion {
             Setting("sway", &BodyMotion::sway, "To and fro, by a sine."),
             Setting("hop", &BodyMotion::hop, "Jumps on a parabola, one after another."),
             Setting("wake", &BodyMotion::wake,
-                    "Whether a dressed body on a path carries the air along, as a wake of its size. A wake or an obstacle of the "
+                    "Whether a furred body on a path carries the air along, as a wake of its size. A wake or an obstacle of the "
                     "scene on the same path replaces this."),
         };
     }

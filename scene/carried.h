@@ -1,4 +1,4 @@
-// What a scene's picture moves along a path and what carries the air along, unasked: its walkers and dressed bodies.
+// What a scene's picture moves along a path and what carries the air along, unasked: its walkers and furred bodies.
 //
 // A body of frontal area A that moves at V leaves C A V / 2 of momentum (over the density) in each metre of its way: its drag, with
 // C = 1, a bluff body's. A wake of radius R and rate k leaves V times the integral of 1 - exp(-k W) over the way's section

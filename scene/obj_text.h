@@ -1,4 +1,4 @@
-// The text of an OBJ file, checked before anything else reads it, and its faces written anew without what was not understood.
+// The text of an OBJ file, checked before anything else reads it, and its faces written again without what was not understood.
 //
 // Kept: v, vt, vn, f, usemtl; noted: mtllib. Everything else (groups, smoothing, lines, curves, comments) is left out. Indices may
 // count from the end, and mean vertices that are above their face.

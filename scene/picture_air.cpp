@@ -31,7 +31,7 @@ bool taken(const Scene& scene, std::size_t path) {
 void add_body(Scene& scene, const PictureAir& picture, std::size_t n, ReadLog& log, MeshBoxReader meshes) {
     static const nlohmann::json k_default = nlohmann::json::object();
     const MovedBody& body = picture.bodies[n];
-    if (!body.motion.path || !body.motion.wake || !body.dressed || taken(scene, *body.motion.path))
+    if (!body.motion.path || !body.motion.wake || !body.furred || taken(scene, *body.motion.path))
         return;
     const std::string key = message("$.picture.bodies[", n, "]");
     const auto box =
@@ -91,7 +91,7 @@ PictureAir read_picture_air(JsonObject picture, std::span<const std::string> pat
         });
         motion.finish();
         const auto coats = item.value().find("coats");
-        body.dressed = coats != item.value().end() && coats->is_array() && !coats->empty();
+        body.furred = coats != item.value().end() && coats->is_array() && !coats->empty();
         if (const auto mesh = item.value().find("mesh"); mesh != item.value().end())
             body.mesh = &*mesh;
     });

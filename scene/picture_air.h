@@ -24,7 +24,7 @@ struct MovedBody {
     std::string name = "body";
     BodyPlace place{};
     BodyMotion motion{};
-    bool dressed = false;                 ///< a body without a coat is invisible, and has no wake
+    bool furred = false;                  ///< a body without a coat is invisible, and has no wake
     const nlohmann::json* mesh = nullptr; ///< value of its key, which outlives this; null: the default
 };
 

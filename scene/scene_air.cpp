@@ -1,7 +1,7 @@
 #include "scene/scene_air.h"
 
-#include "fluid/core/message.h"
 #include "fluid/core/archive.h"
+#include "fluid/core/message.h"
 
 #include <algorithm>
 #include <cmath>

@@ -296,13 +296,13 @@ inline void write_json(std::string& text, const OrderedJson& value, int depth = 
     text += "\n" + std::string(4 * static_cast<std::size_t>(depth), ' ') + (object ? "}" : "]");
 }
 
-/// What is made of tables, as a file: the same text, or made anew where WINDROW_ACCEPT_SCHEMA is set.
+/// What is made of tables, as a file: the same text, or made again where WINDROW_ACCEPT_SCHEMA is set.
 inline void expect_file(const std::filesystem::path& file, const std::string& text) {
     if (std::getenv("WINDROW_ACCEPT_SCHEMA") != nullptr)
         std::ofstream(file, std::ios::binary) << text;
     std::ifstream stream(file, std::ios::binary);
     const std::string there((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    EXPECT_TRUE(there == text) << file << " is not what its tables give: ./dev schema makes it anew";
+    EXPECT_TRUE(there == text) << file << " is not what its tables give: ./dev schema makes it again";
 }
 
 } // namespace windrow::test

@@ -137,7 +137,7 @@ class Shot:
         if not stamp_file.is_file() or stamp_file.read_text() != stamp:
             shutil.rmtree(self.frames, ignore_errors=True)
             self.frames.mkdir(parents=True)
-            stamp_file.write_text(stamp)  # a part of one is no one's: all is drawn anew
+            stamp_file.write_text(stamp)  # a part of one is no one's: all is drawn again
         missing = len(self.missing())
         print(f"== {self.name}: {self.count} frames" + (f", {self.count - missing} are there" if missing < self.count else ""), flush=True)
         if missing == 0:
@@ -181,7 +181,7 @@ def inputs_and_filter(shots, fade, fps, ending):
 
 def ffmpeg(arguments, file):
     """Writes the file whole or not at all."""
-    part = file if "%" in file.name else file.with_name("part_" + file.name)  # pictures: into a folder that is made anew
+    part = file if "%" in file.name else file.with_name("part_" + file.name)  # pictures: into a folder that is made again
     run = subprocess.run(["ffmpeg", "-v", "error", "-y", *map(str, arguments), str(part)], check=False)
     if run.returncode != 0:
         part.unlink(missing_ok=True)

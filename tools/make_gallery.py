@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """make_gallery.py PROGRAM [NAME ...]: draws the looks into out/gallery and writes docs/gallery.md with their small pictures.
 
-PROGRAM is the program build/release/windrow-draw. With names only those looks are drawn anew; the page always lists all whose
+PROGRAM is the program build/release/windrow-draw. With names only those looks are drawn again; the page always lists all whose
 picture is in docs/gallery. A look that cannot be drawn, since its mesh is missing, is reported and left out, and the
 exit code is 1. Needs Python alone; ./dev gallery makes what the scenes name first.
 """

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """rename_scene.py FILE...: gives the keys of scene files the names that they have now (scene/renamed_keys.inl).
 
-Everything else of a file stays as it is, layout included. A file that would change is written anew beside itself and then renamed.
+Everything else of a file stays as it is, layout included. A file that would change is written again beside itself and then renamed.
 """
 import json
 import os

@@ -36,7 +36,7 @@ std::size_t StamStep::memory_bytes() const {
     return velocity_.bytes() + advected_.bytes() + divergence_.bytes() + jacobi_.memory_bytes();
 }
 
-// Jacobi swaps its arrays, so the task is made anew for each pass that reads the pressure.
+// Jacobi swaps its arrays, so the task is made again for each pass that reads the pressure.
 StamTask StamStep::task(float dt) {
     return {.cells = {cells_.x, cells_.y, cells_.z},
             .row_stride = row_stride_,

@@ -25,7 +25,7 @@ class WindContestant {
     /// All but the times of whole steps and the ratios, which the contest knows, and the loops.
     [[nodiscard]] SchemeResult result(const char* name) const;
 
-    /// Sets the flow anew where it has lived for long enough. A first step has no history and costs less, so one is made.
+    /// Sets the flow again where it has lived for long enough. A first step has no history and costs less, so one is made.
     void refresh();
     void step();
 

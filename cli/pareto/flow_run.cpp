@@ -35,9 +35,9 @@ struct GridTimes {
 };
 
 constexpr int k_sweeps = 40;
-constexpr int k_max_age = 60; // steps before the field is laid in anew
+constexpr int k_max_age = 60; // steps before the field is laid in again
 
-/// Steps a field that is laid in anew before it grows old. A first step has no history and another cost, so one is made that is not
+/// Steps a field that is laid in again before it grows old. A first step has no history and another cost, so one is made that is not
 /// timed.
 class Stepper {
   public:

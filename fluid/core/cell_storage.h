@@ -83,7 +83,7 @@ struct CellStep {
     /// Those that meet the box, where they are at the end of the step.
     std::span<const detail::PlacedObstacle> obstacles{};
     bool obstacles_changed = false;         ///< they are not those of the last step, moved, or the box did
-    bool obstacles_stirred = false;         ///< some came, went or moved
+    bool obstacles_moved = false;           ///< some came, went or moved
     std::shared_ptr<const GustTile> tile{}; ///< of the motors' eddies; null: none has any
     AmbientWind* ambient = nullptr;         ///< at the start of the step; the storage advances it to the end
     const Window* window = nullptr;

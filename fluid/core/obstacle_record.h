@@ -159,7 +159,7 @@ struct ObstacleFields {
     }
 
     static void obstacles(auto& archive, detail::Like<Obstacles> auto& obstacles) {
-        auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, visited, log] =
+        auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, moved, visited, log] =
             obstacles;
         auto in_motion = static_cast<std::uint32_t>(motions.size());
         if (!SlotFields::require_slots(archive, list, "it has more obstacles than fit.",
@@ -176,12 +176,12 @@ struct ObstacleFields {
             ObstacleFields::motion(archive, motion);
         if (!SlotFields::require_free(archive, list, "its list of free obstacles does not match its obstacles."))
             return;
-        archive(ticked, window.origin_cells, stirred);
+        archive(ticked, window.origin_cells, moved);
         if constexpr (detail::Reading<decltype(archive)>)
             check(archive, obstacles);
     }
 
-    /// Boxes of the last tick have gone: the next one searches and places anew.
+    /// Boxes of the last tick have gone: the next one searches and places again.
     static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries) {
         obstacles.make_room();
         obstacles.moving_.reserve(obstacles.motions_.size());

@@ -50,7 +50,7 @@ struct Repeat {
             return out_of_memory();
         return wind.set_gusts({.intensity = event.intensity, .length = event.length, .seed = event.seed, .tile = tile});
     }
-    Result<void> operator()(const SidesSet& event) const { return wind.set_boundaries(event.boundaries); }
+    Result<void> operator()(const BoundariesSet& event) const { return wind.set_boundaries(event.boundaries); }
     Result<void> operator()(const VelocitySet& event) const { return wind.set_velocity(event.field); }
     Result<void> operator()(const WindReset&) const {
         wind.reset();

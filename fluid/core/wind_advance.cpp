@@ -183,10 +183,10 @@ void WindCore::run_step(double duration, Diagnostics& report) {
         report.motors_lost = motors.lost(place.window, config.boundaries, place.follow_axes);
     }
     const std::span<const detail::PlacedObstacle> bodies = obstacles.tick(duration, place.window, config.boundaries);
-    const bool stirred = obstacles.take_stirred(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
+    const bool moved = obstacles.take_moved(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
     report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
-    if (sleep.asleep() && reached.empty() && !stirred && !wind_meets_bodies) {
+    if (sleep.asleep() && reached.empty() && !moved && !wind_meets_bodies) {
         drift(duration);
         const Diagnostics now = report;
         report = sleep.at_rest;
@@ -205,12 +205,12 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                        .source_flow = source_name != 0,
                                        .viscous = viscous() || changes_ambient(),
                                        .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f),
-                                       .bodies_act = stirred || wind_meets_bodies};
+                                       .bodies_act = moved || wind_meets_bodies};
     CellStep step{.duration = duration,
                   .motors = reached,
                   .obstacles = bodies,
                   .obstacles_changed = obstacles.take_changed(),
-                  .obstacles_stirred = stirred,
+                  .obstacles_moved = moved,
                   .tile = motors.tile(ambient.tile()),
                   .ambient = &ambient,
                   .window = &place.window,

@@ -155,7 +155,7 @@ Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
     place.follow_axes = detail::axes_that_follow(config, boundaries);
     renew_ambient();
     sleep.wake();
-    note(SidesSet{boundaries});
+    note(BoundariesSet{boundaries});
     return {};
 }
 

@@ -203,8 +203,8 @@ void Cells::fill(std::span<glm::vec4> field) const {
 // --- Changes -----------------------------------------------------------------------------------------------------------------
 
 Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
-    hold_air(); // with the old boundaries
-    hold_before();
+    materialise_air(); // with the old boundaries
+    materialise_before();
     auto changed = work.set_boundaries(boundaries);
     air.fresh = air.fresh || (changed && kinds);
     around_stale_ = true;
@@ -353,7 +353,7 @@ void Cells::shift(const CellChange& change) {
 }
 
 void Cells::keep() {
-    hold_air_alone(config_.parallel_for);
+    materialise_air_alone(config_.parallel_for);
     before_held_at_ = wind_.sleep.drift;
     std::copy_n(air.velocity.data(), air.velocity.size(), frames.before.data());
 }
@@ -365,14 +365,14 @@ bool Cells::has_source_flow() const {
 }
 
 // Called by the first reader, in the reader's own thread, which may run a loop of its own.
-void Cells::hold_air() {
+void Cells::materialise_air() {
     if (held_at_ == wind_.sleep.drift)
         return;
     const std::lock_guard lock(holding_);
-    hold_air_alone({});
+    materialise_air_alone({});
 }
 
-void Cells::hold_air_alone(const ParallelFor& parallel_for) {
+void Cells::materialise_air_alone(const ParallelFor& parallel_for) {
     if (held_at_ == wind_.sleep.drift)
         return;
     renew_around(wind_.ambient, wind_.window(), parallel_for);
@@ -380,44 +380,44 @@ void Cells::hold_air_alone(const ParallelFor& parallel_for) {
     held_at_ = wind_.sleep.drift;
 }
 
-void Cells::hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window) {
+void Cells::materialise_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window) {
     ambient_next_.fill(wind, window, {});
     for_each_cell(window.cells, [&](std::size_t n, int i, int j, int k) {
         field[n] = cell_at(ambient_next_.data() + 4 * padded_index(window.cells, {i, j, k}));
     });
 }
 
-void Cells::hold_frame(FrameCells::Field& field, const ShownFrame& frame) {
+void Cells::materialise_frame(FrameCells::Field& field, const ShownFrame& frame) {
     const std::atomic_ref held(field.held);
     if (held)
         return;
     const std::lock_guard lock(holding_);
     if (held)
         return;
-    hold_gusts(field.cells, frame.ambient, frame.window);
+    materialise_gusts(field.cells, frame.ambient, frame.window);
     held = true;
 }
 
-void Cells::hold_before() {
+void Cells::materialise_before() {
     const std::lock_guard lock(holding_);
     if (std::exchange(before_held_at_, wind_.sleep.drift) == wind_.sleep.drift || !wind_.frames)
         return;
     AmbientWind then = wind_.ambient;
     then.set_phase(wind_.frames->gust_phase_before);
-    hold_gusts(frames.before, then, wind_.window());
+    materialise_gusts(frames.before, then, wind_.window());
 }
 
 void Cells::set_held() {
     held_at_ = before_held_at_ = wind_.sleep.drift;
 }
 
-void Cells::hold_all() {
-    hold_air();
-    hold_before();
+void Cells::materialise_all() {
+    materialise_air();
+    materialise_before();
     if (!wind_.frames)
         return;
-    hold_frame(frames.shown, wind_.frames->shown);
-    hold_frame(frames.shown_before, wind_.frames->shown_before);
+    materialise_frame(frames.shown, wind_.frames->shown);
+    materialise_frame(frames.shown_before, wind_.frames->shown_before);
 }
 
 // --- Frames ------------------------------------------------------------------------------------------------------------------
@@ -425,7 +425,7 @@ void Cells::hold_all() {
 void Cells::show_air() {
     if (frames.before.empty())
         return;
-    hold_air();
+    materialise_air();
     for (FrameCells::Field* field : {&frames.shown, &frames.shown_before}) {
         field->held = true;
         std::copy_n(air.velocity.data(), field->cells.size(), field->cells.data());
@@ -440,12 +440,12 @@ void Cells::show(const FrameBlend& blend) {
     shown.held = !blend.still || !wind_.ambient.gusting();
     if (!shown.held)
         return;
-    hold_air();
+    materialise_air();
     if (blend.still) {
         std::copy_n(air.velocity.data(), air.velocity.size(), shown.cells.data());
         return;
     }
-    hold_before();
+    materialise_before();
     const std::size_t row_plane = static_cast<std::size_t>(box().cells.x) * static_cast<std::size_t>(box().cells.y);
     config_.parallel_for(box().cells.z, [&](int plane) {
         const std::size_t first = row_plane * static_cast<std::size_t>(plane);
@@ -457,12 +457,12 @@ void Cells::show(const FrameBlend& blend) {
 // --- Reading -----------------------------------------------------------------------------------------------------------------
 
 WindView Cells::air_view() {
-    hold_air();
+    materialise_air();
     return {box(), wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity, wind_.config.simd};
 }
 
 WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
-    hold_frame(field, frame);
+    materialise_frame(field, frame);
     return {box(), frame.window, wind_.blend_zone(frame.blend_centre), frame.ambient, field.cells, wind_.config.simd};
 }
 

@@ -62,7 +62,7 @@ class Cells final : public CellStorage {
     void show_air() override;
     [[nodiscard]] MeasuredSpeed measured() const override { return measured_; }
     [[nodiscard]] std::span<glm::vec4> in_place() override {
-        hold_air(); // the gusts of now
+        materialise_air(); // the gusts of now
         return air.velocity;
     }
 
@@ -71,8 +71,8 @@ class Cells final : public CellStorage {
     [[nodiscard]] WindView air_view();
     [[nodiscard]] WindView view(FrameCells::Field& field, const ShownFrame& frame);
     /// Writes the ambient wind into cells that are marked as ambient. Thread-safe.
-    void hold_air();
-    void hold_all(); ///< also in the frames
+    void materialise_air();
+    void materialise_all(); ///< also in the frames
     /// Marks the cells of the air, and of the tick before, as written.
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -120,10 +120,10 @@ class Cells final : public CellStorage {
     void add_change(const CellChange& change);
     void keep();
     /// For calls that change the wind, which no other thread reads meanwhile.
-    void hold_air_alone(const ParallelFor& parallel_for);
-    void hold_frame(FrameCells::Field& field, const ShownFrame& frame);
-    void hold_before();
-    void hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window);
+    void materialise_air_alone(const ParallelFor& parallel_for);
+    void materialise_frame(FrameCells::Field& field, const ShownFrame& frame);
+    void materialise_before();
+    void materialise_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window);
     [[nodiscard]] bool has_source_flow() const;
 
     // --- step.cpp ----------------------------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& rep
     if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))
         return false;
     Stopwatch watch("windrow obstacles", report.times_ms.obstacles);
-    const bool others = step.obstacles_stirred || place_again_;
+    const bool others = step.obstacles_moved || place_again_;
     const bool placed = detail::memory_lasts([&] {
         detail::make_room(placed_, step.obstacles.size());
         placed_.assign(step.obstacles.begin(), step.obstacles.end());

@@ -77,8 +77,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     const auto dt = static_cast<float>(step.duration);
     work.state().obstacles_ms = 0.0;
     canopy_ = step.canopy;
-    hold_air_alone(config_.parallel_for);
-    hold_before();
+    materialise_air_alone(config_.parallel_for);
+    materialise_before();
     renew_around(*step.ambient, *step.window, config_.parallel_for);
     AmbientWind wind = around_;
     const glm::dvec3 phase = wind.phase();
@@ -295,7 +295,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     air.fresh = true;
 }
 
-// `other_obstacles`: they were placed anew in this step.
+// `other_obstacles`: they were placed again in this step.
 void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
     OuterStopwatch watch("windrow sources", report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
@@ -443,7 +443,7 @@ void Cells::repair_cells() {
 }
 
 void Cells::measure(Diagnostics& report) {
-    hold_air_alone(config_.parallel_for);
+    materialise_air_alone(config_.parallel_for);
     OuterStopwatch watch("windrow report", report.times_ms.report, work.state().obstacles_ms);
     Workspace::State& state = work.state();
     const float h = box().cell_size;

@@ -377,7 +377,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
     const bool places = step.obstacles_changed || place_again_ || (bodies_move && substeps > 1);
     const auto early = [&](int part) { return bodies_move ? step.duration * (substeps - part - 1) / substeps : 0.0; };
-    const bool others = places && (step.obstacles_stirred || place_again_);
+    const bool others = places && (step.obstacles_moved || place_again_);
     if (places)
         place_obstacles(commands, step.obstacles, early(0));
     renew_layer(commands, step, places);

@@ -226,7 +226,7 @@ class Air {
     [[nodiscard]] Passes::Around around_obstacles(bool has_past) const;
     [[nodiscard]] Passes::Around around_sources() const;
     [[nodiscard]] bool rough() const { return config_.roughness && config_.stages.diffusion; }
-    /// `placed`: the obstacles were placed anew.
+    /// `placed`: the obstacles were placed again.
     void renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed);
     /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);

@@ -29,7 +29,7 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
         [&] { return air->prepare(boundaries, kinds || (new_sides_ && new_sides_->tables)); });
     if (!prepared)
         return Error{prepared.error()};
-    hold_gusts(); // with the old boundaries
+    materialise_gusts(); // with the old boundaries
     rest.filled = false;
     rest.disturb();
     new_sides_ = *std::move(prepared);
@@ -61,7 +61,7 @@ Result<void> DeviceCells::check(const Gusts& gusts) const {
     return {};
 }
 
-bool DeviceCells::hold_gusts() {
+bool DeviceCells::materialise_gusts() {
     if (std::exchange(held_at_, wind_.sleep.drift) == wind_.sleep.drift)
         return false;
     CellChange change{.kind = Kind::fill, .ambient = wind_.ambient, .window = wind_.window(), .kept = wind_.frames.has_value()};
@@ -75,7 +75,7 @@ bool DeviceCells::hold_gusts() {
 }
 
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
-    hold_gusts();
+    materialise_gusts();
     rest.begin_tick(step.tick, !step.motors.empty() || step.renews_sources, step.ambient->uniform());
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};

@@ -64,7 +64,7 @@ class DeviceCells final : public CellStorage {
     bool begin(VkCommandBuffer commands, int slot);
     void end();
     /// Air that sleeps becomes what blows now. False where it is that already.
-    bool hold_gusts();
+    bool materialise_gusts();
     /// Nothing that was recorded counts.
     void forget();
     /// The next recording begins with this air; nothing else waits.

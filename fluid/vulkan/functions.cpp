@@ -24,7 +24,7 @@ const char* fix_of(VkResult result) {
     case VK_ERROR_TOO_MANY_OBJECTS:
         return "free device memory, or allocate fewer and larger blocks.";
     case VK_ERROR_DEVICE_LOST:
-        return "make the device anew, or go on with the CPU.";
+        return "make the device again, or go on with the CPU.";
     default:
         return "update the driver, or use another device or the CPU.";
     }

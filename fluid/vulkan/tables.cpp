@@ -1,11 +1,9 @@
 #include "fluid/vulkan/tables.h"
 
-
 #include <cstddef>
 
 namespace windrow::vulkan {
 namespace {
-
 
 // Inputs are the even part, then the odd one, each from the low end (modes.glsl). What the odd part lacks of an odd count is 0.
 int append_vectors(const AxisBasis& basis, bool forward, std::vector<float>& values) {

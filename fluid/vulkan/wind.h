@@ -131,7 +131,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// False where there is none to take.
     bool collect(int slot);
     /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
-    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, boundaries, place and
+    /// nothing of the device's memory is trusted, and the next recording writes all of it again. Motors, boundaries, place and
     /// wind stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was
     /// submitted before runs to its end first, as always; its read-backs are not taken.
     void forget();
@@ -186,7 +186,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     [[nodiscard]] Diagnostics diagnostics() const override;
     /// The same with the cells that were repaired or limited, which are reported once, here or by a recording.
     [[nodiscard]] Diagnostics reported();
-    /// As of `queried` or `queried_halves`, which it makes anew each time. The ambient wind of this frame where there is neither:
+    /// As of `queried` or `queried_halves`, which it makes again each time. The ambient wind of this frame where there is neither:
     /// before the first, and where no cells are read back.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const override;
     using WindReader::velocity;

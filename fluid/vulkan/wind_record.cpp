@@ -140,7 +140,7 @@ Result<Diagnostics> Wind::State::record_step(VkCommandBuffer commands, const Fra
     if (frame.dt > 0.0)
         read_backs.take_counts(done);
     time += frame.dt;
-    if (cells.hold_gusts())
+    if (cells.materialise_gusts())
         cells.blend = 1.0f;
     if (!slept || !core.sleep.asleep() || frame.dt == 0.0) // a pause shows what changed without a step
         textures.stale = 2;

@@ -19,7 +19,7 @@ void Wind::State::record_save(VkCommandBuffer commands) {
             save_error = air.error();
             return;
         }
-        cells.hold_gusts();
+        cells.materialise_gusts();
         auto draft = draft_snapshot(core, cells.air->fresh(), surface);
         save.emplace(WindSave{.slot = slot, .air = *std::move(air), .draft = std::move(draft), .shown = {}});
         if (core.frames)

@@ -453,13 +453,13 @@ TEST(StretchedRows, AFloorThatRisesKeepsTheAir) {
     }
 }
 
-// A box over ground that rises with it: bodies are found anew.
+// A box over ground that rises with it: bodies are found again.
 TEST(StretchedRows, AFloorRisesOverBodies) {
     Config config = land_of_rows();
     Wind wind = made(config);
     build_on(wind.obstacles(), 3.0);
     take_steps(wind, 20, 0.05);
-    std::vector<float> inside(wind.field().size()), anew(inside.size());
+    std::vector<float> inside(wind.field().size()), again(inside.size());
     for (const double height : {1.5, -2.0, 0.5}) {
         ASSERT_TRUE(wind.set_floor(wind.origin().y + height));
         take_steps(wind, 10, 0.05);
@@ -470,8 +470,8 @@ TEST(StretchedRows, AFloorRisesOverBodies) {
         ASSERT_NEAR(other.origin().y, wind.origin().y, 1e-9);
         build_on(other.obstacles(), 3.0);
         (void)other.step(0.05);
-        ASSERT_TRUE(other.write_obstacles(anew));
-        EXPECT_EQ(inside, anew);
+        ASSERT_TRUE(other.write_obstacles(again));
+        EXPECT_EQ(inside, again);
         EXPECT_LT(largest_speed(wind.field()), 15.0);
     }
 }

@@ -186,7 +186,7 @@ TEST(Terrain, IsTheSameWhereverTheBoxComesFrom) {
                         .ambient = {2.0f, 0.0f, 1.0f}};
     Wind walks = made(config);
     ASSERT_TRUE(walks.obstacles().add(hills()));
-    std::vector<float> inside(walks.field().size()), anew(inside.size());
+    std::vector<float> inside(walks.field().size()), again(inside.size());
     for (int n = 0; n < 60; ++n) {
         const glm::dvec3 here{0.71 * n, 10.0, -0.43 * n};
         ASSERT_TRUE(walks.follow(here));
@@ -200,8 +200,8 @@ TEST(Terrain, IsTheSameWhereverTheBoxComesFrom) {
         (void)stands.step(0.02);
         ASSERT_EQ(walks.origin(), stands.origin());
         ASSERT_TRUE(walks.write_obstacles(inside));
-        ASSERT_TRUE(stands.write_obstacles(anew));
-        ASSERT_EQ(inside, anew) << n;
+        ASSERT_TRUE(stands.write_obstacles(again));
+        ASSERT_EQ(inside, again) << n;
     }
 }
 

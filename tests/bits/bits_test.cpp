@@ -1,7 +1,7 @@
 // The stories have the pinned bits on this machine, at each level that it runs, for any number of threads.
 //
 // bits.txt is pinned for all platforms: `./dev bits` compares it on those that this machine can play. After a change of the method
-// WINDROW_ACCEPT_BITS=1 writes it anew, on a machine with AVX-512; say in the commit why.
+// WINDROW_ACCEPT_BITS=1 writes it again, on a machine with AVX-512; say in the commit why.
 #include "fluid/thread_pool.h"
 #include "tests/bits/table.h"
 

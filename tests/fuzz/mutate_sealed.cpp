@@ -1,4 +1,4 @@
-// libFuzzer's mutator for snapshots and event logs: the content is changed, then length and checksum are made anew, since the
+// libFuzzer's mutator for snapshots and event logs: the content is changed, then length and checksum are made again, since the
 // parser behind them would not be reached otherwise.
 #include "fluid/core/bytes.h"
 #include "tests/fuzz/fuzz_target.h"

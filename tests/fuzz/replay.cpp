@@ -51,7 +51,7 @@ int main(int count, char** arguments) {
     int faults = seeds.empty() ? 1 : 0;
     for (const fs::path& seed : seeds)
         if (read_file(seed) != ReadOutcome::accepted) {
-            std::printf("    is not accepted: write it anew\n");
+            std::printf("    is not accepted: write it again\n");
             ++faults;
         }
     for (const fs::path& finding : files_of(arguments[2]))

@@ -8,7 +8,7 @@
 namespace windrow::fuzz {
 
 ReadOutcome read_input(std::string_view bytes) {
-    // Shared by all motors with eddies as long as someone holds it; baked anew it takes 5 ms.
+    // Shared by all motors with eddies as long as someone holds it; baked again it takes 5 ms.
     static const auto tile = GustTile::standard();
     auto wind = Wind::load(std::as_bytes(std::span(bytes)));
     if (!wind)

@@ -7,6 +7,7 @@
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/memory.h"
 #include "fluid/vulkan/own_device.h"
+#include "fluid/vulkan/pipeline_store.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace windrow::vulkan {
@@ -26,31 +28,85 @@ void expect_error(const Result<Value>& result, const std::string& words) {
     EXPECT_NE(result.error().find(words), std::string::npos) << result.error();
 }
 
+/// A device, and the pipelines that winds on it share: a software device compiles those of one wind for a second.
+struct TestDevice {
+    std::shared_ptr<OwnDevice> own;
+    std::shared_ptr<PipelineStore> pipelines; ///< null until a wind asks for it
+};
+
+/// Devices that the tests of a program share, with and without the layer, until the last test has run. The layer then reports
+/// what a test left undestroyed; that test run by itself shows which one it is.
+class SharedDevices : public testing::Environment {
+  public:
+    TestDevice& of(bool validation) { return devices_[validation ? 1 : 0]; }
+    void TearDown() override {
+        for (TestDevice& device : devices_) {
+            device.pipelines.reset();
+            device.own.reset();
+        }
+        fail_of_messages();
+    }
+    /// All messages of the layer become failures.
+    void fail_of_messages() {
+        for (const std::string& message : std::exchange(messages, {}))
+            ADD_FAILURE() << "the validation layer says: " << message;
+    }
+    std::vector<std::string> messages; ///< since the test began, of all devices
+
+  private:
+    TestDevice devices_[2];
+};
+
+inline SharedDevices& shared_devices() {
+    static auto* const devices = static_cast<SharedDevices*>(testing::AddGlobalTestEnvironment(new SharedDevices));
+    return *devices;
+}
+inline const bool k_devices_are_known = (shared_devices(), true); // before the first test, as GoogleTest asks
+
 class Gpu : public testing::Test {
   protected:
-    void SetUp() override { make_own({.validation = true}); }
+    void SetUp() override { share_device(true); }
 
-    /// A test without a device fails: a machine that cannot run these must not pass for one that has.
+    /// A device of this test alone. A test without a device fails: a machine that cannot run these must not pass for one that has.
     void make_own(OwnDevice::Settings settings) {
         const char* const gpu_validation = std::getenv("WINDROW_GPU_VALIDATION");
         if (settings.validation && gpu_validation != nullptr && std::string(gpu_validation) == "1")
             settings.gpu_validation = true;
-        settings.on_message = [this](const std::string& text) { messages.push_back(text); };
+        settings.on_message = [](const std::string& text) { shared_devices().messages.push_back(text); };
         auto made = OwnDevice::create(settings);
         ASSERT_TRUE(made) << made.error()
                           << "\nThe tests of the Vulkan backend need a driver and the validation layer; a software "
                              "one will do (Debian: mesa-vulkan-drivers, vulkan-validationlayers).";
         own = *std::move(made);
-        auto lent = Device::create(own->host());
-        ASSERT_TRUE(lent) << lent.error();
-        device = *std::move(lent);
+        lend();
+    }
+    /// The program's device.
+    void share_device(bool validation) {
+        shared_ = &shared_devices().of(validation);
+        if (!shared_->own) {
+            make_own({.validation = validation});
+            shared_->own = own;
+        } else {
+            own = shared_->own;
+            lend();
+        }
     }
 
     void TearDown() override {
         device.reset();
-        own.reset(); // the layer tells what was never destroyed when the device ends
-        for (const std::string& message : messages)
-            ADD_FAILURE() << "the validation layer says: " << message;
+        pipelines_.reset();
+        own.reset(); // of a device of its own the layer reports what was never destroyed
+        shared_devices().fail_of_messages();
+    }
+
+    /// For winds that share pipelines, with those of earlier tests where the device is shared.
+    Host sharing_host() {
+        std::shared_ptr<PipelineStore>& store = shared_ != nullptr ? shared_->pipelines : pipelines_;
+        Host lent = own->host();
+        if (!store)
+            store = held(PipelineStore::create(lent));
+        lent.pipeline_store = store;
+        return lent;
     }
 
     /// Callbacks of a host that takes its memory from `blocks`, with a number in it that is neither 0 nor plausible, as a device's
@@ -162,9 +218,19 @@ class Gpu : public testing::Test {
         return {values, values + count};
     }
 
-    std::vector<std::string> messages;
-    std::unique_ptr<OwnDevice> own;
+    std::vector<std::string>& messages = shared_devices().messages;
+    std::shared_ptr<OwnDevice> own;
     std::unique_ptr<Device> device;
+
+  private:
+    void lend() {
+        auto lent = Device::create(own->host());
+        ASSERT_TRUE(lent) << lent.error();
+        device = *std::move(lent);
+    }
+
+    TestDevice* shared_ = nullptr;
+    std::shared_ptr<PipelineStore> pipelines_;
 };
 
 } // namespace windrow::vulkan

@@ -15,8 +15,9 @@ namespace {
 
 class PassTimesTest : public Gpu {
   protected:
-    [[nodiscard]] Result<Wind> make(const Config& config, bool timestamps) const {
-        return Wind::create(own->host(), config, {.frames_in_flight = 2, .timestamps = timestamps, .queries = ReadBack::cells});
+    [[nodiscard]] Result<Wind> make(const Config& config, bool timestamps) {
+        return Wind::create(sharing_host(), config,
+                            {.frames_in_flight = 2, .timestamps = timestamps, .queries = ReadBack::cells});
     }
 
     void frame(Wind& wind, int n) {
@@ -186,7 +187,7 @@ TEST_F(PassTimesTest, AStepMovesTheBytesThatAreStated) {
     };
     for (const Stated& stated :
          {Stated{{32, 16, 32}, "32x16x32", 636.0}, {{64, 32, 64}, "64x32x64", 610.0}, {{128, 64, 128}, "128x64x128", 615.0}}) {
-        const auto wind = Wind::create(own->host(), {.cells = stated.cells});
+        const auto wind = Wind::create(sharing_host(), {.cells = stated.cells});
         ASSERT_TRUE(wind) << wind.error();
         const Passes& passes = wind->state().cells.air->passes();
         const double cells = static_cast<double>(wind->box().cell_count());

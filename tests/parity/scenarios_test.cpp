@@ -17,7 +17,7 @@ namespace {
 using test::Scenario;
 
 std::vector<Scenario> table() {
-    std::vector<Scenario> rows = test::scenarios();
+    std::vector<Scenario> rows = test::scenarios(test::whole_sweeps());
     for (Scenario& row : test::random_scenarios(test::sampled(40, 10)))
         rows.push_back(std::move(row));
     return rows;
@@ -33,7 +33,7 @@ Config config_of(const Scenario& row) {
 class WindScenarios : public WindParity, public testing::WithParamInterface<Scenario> {
   protected:
     // Other tests run each kind of pass under the validation layer, which takes half of the time.
-    void SetUp() override { make_own({}); }
+    void SetUp() override { share_device(false); }
 
     static constexpr Settings k_settings{.texel = Texel::single, .queries = ReadBack::cells};
 
@@ -79,7 +79,7 @@ TEST_P(WindScenarios, AreThoseOfTheCpu) {
     const Scenario& row = GetParam();
     const Config config = config_of(row);
     auto cpu = windrow::Wind::create(config);
-    auto gpu = Wind::create(host(), config, k_settings);
+    auto gpu = Wind::create(sharing_host(), config, k_settings);
     ASSERT_TRUE(cpu) << cpu.error();
     ASSERT_TRUE(gpu) << gpu.error();
     if (row.begin) {
@@ -96,7 +96,7 @@ TEST_P(WindScenarios, AreThoseOfTheCpu) {
             const auto bytes = cpu->save();
             ASSERT_TRUE(bytes);
             auto same = windrow::Wind::load(*bytes);
-            auto loaded = Wind::load(host(), *bytes, k_settings);
+            auto loaded = Wind::load(sharing_host(), *bytes, k_settings);
             ASSERT_TRUE(same && loaded) << loaded.error();
             const double off = together(row, *same, *loaded, n, k_apart);
             from_common_start = std::max(from_common_start, off);

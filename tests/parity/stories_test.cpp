@@ -35,7 +35,7 @@ class Stories : public vulkan::Gpu {
     // Names of the passes of three steps.
     std::set<std::string> passes_of(const ParityStory& story) {
         std::set<std::string> ran;
-        auto wind = vulkan::Wind::create(own->host(), story.config, {.frames_in_flight = 1, .timestamps = true});
+        auto wind = vulkan::Wind::create(sharing_host(), story.config, {.frames_in_flight = 1, .timestamps = true});
         EXPECT_TRUE(wind) << wind.error();
         for (const StoryMotor& one : story.motors)
             EXPECT_TRUE(wind->motors().add(one.motor));

@@ -57,7 +57,7 @@ class WindAllocations : public Gpu {
     const std::array<glm::dvec3, 2> points_{};
     const std::vector<glm::vec4> start_ =
         std::vector<glm::vec4>(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
-    // Made once: a function that is made anew would be one more allocation, of the test's.
+    // Made once: a function that is made again would be one more allocation, of the test's.
     const std::function<void(VkCommandBuffer)> record_ = [this](VkCommandBuffer commands) {
         note(wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2, .points = points_, .save = frame_ == 2}));
     };

@@ -54,7 +54,7 @@ class WindBarriers : public Gpu {
   protected:
     void SetUp() override {
         setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT", 1);
-        Gpu::SetUp();
+        make_own({.validation = true});
         unsetenv("VK_LAYER_ENABLES");
         ASSERT_TRUE(own);
         host = own->host();

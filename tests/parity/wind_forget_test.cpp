@@ -7,7 +7,7 @@ namespace {
 
 using WindRecordings = WindParity;
 
-// The host throws a command buffer away: the wind begins anew, as a reset one, with its motors and its sides.
+// The host throws a command buffer away: the wind begins again, as a reset one, with its motors and its sides.
 TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
     TwoWinds pair = make({.cells = {24, 20, 24}, .ambient = {2.0f, 0.0f, 1.0f}}, 2, // tables of more than 64 KiB
                          {.texel = Texel::single, .timestamps = true});
@@ -32,7 +32,7 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
 
 // What was thrown away counts as no recording: the next unnamed one takes its slot, whose turn it still is.
 TEST_F(WindRecordings, ThatAreForgottenLeaveTheTurnOfTheirSlot) {
-    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
+    auto wind = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
     ASSERT_TRUE(wind) << wind.error();
     const auto record = [&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); };
     run(record); // slot 0
@@ -46,7 +46,7 @@ TEST_F(WindRecordings, ThatAreForgottenLeaveTheTurnOfTheirSlot) {
 
 // The moments that the slot's queries still hold are those of the recording before it.
 TEST_F(WindRecordings, ThatAreForgottenHaveNoTimes) {
-    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}},
+    auto wind = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}},
                              {.frames_in_flight = 1, .timestamps = true});
     ASSERT_TRUE(wind) << wind.error();
     ASSERT_TRUE(wind->motors().add(VortexMotor{}));
@@ -68,7 +68,7 @@ TEST_F(WindRecordings, ThatAreForgottenHaveNoTimes) {
 
 // A slot that is not named is the next in turn, and what is older than what was taken is not taken.
 TEST_F(WindRecordings, TakeTheirSlotsInAnyOrder) {
-    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 3});
+    auto wind = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 3});
     ASSERT_TRUE(wind) << wind.error();
     ASSERT_TRUE(wind->motors().add(VortexMotor{}));
     const auto age_after = [&](int slot) {
@@ -85,7 +85,7 @@ TEST_F(WindRecordings, TakeTheirSlotsInAnyOrder) {
 
 // Bad input records nothing, changes nothing and is named.
 TEST_F(WindRecordings, ThatAreRejectedSayWhyAndLeaveTheWindAsItWas) {
-    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
+    auto wind = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
     ASSERT_TRUE(wind) << wind.error();
     const double infinity = std::numeric_limits<double>::infinity();
     run([&](VkCommandBuffer commands) {
@@ -187,7 +187,7 @@ TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
     }
     EXPECT_EQ(queue.size(), 4u);
     queue.push(work(CellChange::Kind::fill));
-    EXPECT_EQ(queue.size(), 4u); // fill_before, the change and the shift of what is kept, the air anew
+    EXPECT_EQ(queue.size(), 4u); // fill_before, the change and the shift of what is kept, the air again
     queue.clear();
     for (int n = 0; n < 100; ++n) { // cells set in a box that walks
         queue.push(work(CellChange::Kind::set));

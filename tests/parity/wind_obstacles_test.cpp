@@ -50,7 +50,7 @@ TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
 // the recording in which a body comes may be thrown away.
 TEST_F(WindObstacles, InMemoryThatIsNotZero) {
     Memory blocks(own->host(), device->functions());
-    Host host = own->host();
+    Host host = sharing_host();
     host.memory = memory_of(blocks);
     const Config config{.cells = k_cells,
                         .boundaries = Boundaries::open_over_floor(),

@@ -2,7 +2,6 @@
 // frame by frame.
 #pragma once
 
-#include "fluid/vulkan/pipeline_store.h"
 #include "fluid/vulkan/wind.h"
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"
@@ -87,26 +86,13 @@ class WindParity : public Gpu {
         }
     };
 
-    /// Of winds that share their pipelines: the second of a test compiles none.
-    Host host() {
-        Host lent = own->host();
-        if (!pipelines_)
-            pipelines_ = held(PipelineStore::create(lent));
-        lent.pipeline_store = pipelines_;
-        return lent;
-    }
-    void TearDown() override {
-        pipelines_.reset();
-        Gpu::TearDown();
-    }
-
     /// One frame in flight that is waited for, or `in_flight` that are not.
     TwoWinds make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
         auto cpu = windrow::Wind::create(config);
         settings.frames_in_flight = std::max(in_flight, 1);
         if (settings.queries == ReadBack::none)
             settings.queries = ReadBack::cells;
-        auto gpu = Wind::create(host(), config, settings);
+        auto gpu = Wind::create(sharing_host(), config, settings);
         EXPECT_TRUE(cpu) << cpu.error();
         EXPECT_TRUE(gpu) << gpu.error();
         auto submitter = in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr;
@@ -175,9 +161,6 @@ class WindParity : public Gpu {
         WINDROW_EXPECT_FIGURE("wind_parity." + name, pair.largest, bound);
         EXPECT_GT(pair.largest, 0.0) << name << ": nothing was compared";
     }
-
-  private:
-    std::shared_ptr<PipelineStore> pipelines_;
 };
 
 } // namespace windrow::vulkan

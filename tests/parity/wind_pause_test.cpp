@@ -30,7 +30,7 @@ TEST_F(WindPauses, OfAHostWithTicksKeepTheirMomentBetweenThem) {
 
 TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
     for (const bool ticks : {false, true}) {
-        auto wind = Wind::create(own->host(), {.cells = {10, 10, 10}, .ambient = {2.0f, 0.0f, 1.0f}});
+        auto wind = Wind::create(sharing_host(), {.cells = {10, 10, 10}, .ambient = {2.0f, 0.0f, 1.0f}});
         ASSERT_TRUE(wind) << wind.error();
         ASSERT_TRUE(wind->motors().add(VortexMotor{}));
         const auto record = [&](double dt) {
@@ -43,7 +43,7 @@ TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
         };
         for (int n = 0; n < 12; ++n) {
             ASSERT_TRUE(wind->follow({1.5 * n, 0.0, -2.5 * n}));
-            const bool anew = n == 5 || n == 9; // both sets are written where the box lies then
+            const bool again = n == 5 || n == 9; // both sets are written where the box lies then
             if (n == 5)
                 wind->reset();
             if (n == 9)
@@ -52,8 +52,8 @@ TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
             record(n == 3 || n == 4 || n == 7 ? 0.0 : 1.0 / 30.0);
             if (n == 0)
                 continue;
-            EXPECT_EQ(place_before(*wind), anew ? place(*wind) : was) << n;
-            EXPECT_EQ(rim_point_before(*wind), anew ? blend_centre(*wind) : rim_was) << n;
+            EXPECT_EQ(place_before(*wind), again ? place(*wind) : was) << n;
+            EXPECT_EQ(rim_point_before(*wind), again ? blend_centre(*wind) : rim_was) << n;
         }
     }
 }

@@ -146,7 +146,7 @@ TEST_F(WindReads, OfABoxKeepTheBoundariesThatAreItsOwn) {
 
 TEST_F(WindReads, AreTheReportAloneByDefault) {
     const Config config{.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}};
-    auto cells = Wind::create(own->host(), config, {.queries = ReadBack::cells}), none = Wind::create(own->host(), config);
+    auto cells = Wind::create(sharing_host(), config, {.queries = ReadBack::cells}), none = Wind::create(sharing_host(), config);
     ASSERT_TRUE(cells && none);
     EXPECT_GE(cells->memory_bytes(), none->memory_bytes() + 3 * 16 * 4096);
     EXPECT_EQ(Air::slot_bytes({}), 48u);
@@ -162,7 +162,7 @@ TEST_F(WindReads, AreTheReportAloneByDefault) {
     EXPECT_EQ(diagnostics.max_speed, 2.0f);
     EXPECT_NEAR(diagnostics.energy, 0.5 * 5.0 * 4096.0, 1e-2);
     // Of more work groups than the report has invocations.
-    auto large = Wind::create(own->host(), {.cells = {48, 24, 40}, .ambient = {2.0f, 0.0f, 1.0f}});
+    auto large = Wind::create(sharing_host(), {.cells = {48, 24, 40}, .ambient = {2.0f, 0.0f, 1.0f}});
     ASSERT_TRUE(large) << large.error();
     run([&](VkCommandBuffer commands) { held(large->record_step(commands, {.dt = 1.0 / 30.0, .slot = 0})); });
     ASSERT_TRUE(large->collect(0));
@@ -219,7 +219,7 @@ TEST_F(WindReads, OfPointsComeBackFromSleepingAir) {
 
 TEST_F(WindReads, RejectWhatDoesNotFit) {
     const Config config{.cells = {8, 8, 8}};
-    const auto with = [&](const Settings& settings) { return Wind::create(own->host(), config, settings); };
+    const auto with = [&](const Settings& settings) { return Wind::create(sharing_host(), config, settings); };
     expect_error(with({.queries = ReadBack::box, .read_cells = {9, 8, 8}}), "read_cells is 9 x 8 x 8");
     expect_error(with({.queries = ReadBack::box, .read_cells = {8, 0, 8}}), "read_cells is 8 x 0 x 8");
     expect_error(with({.queries = ReadBack::points, .read_points = 0}), "read_points is 0");

@@ -53,7 +53,7 @@ class WindSaves : public WindParity {
     }
 
     Wind load(std::span<const std::byte> bytes) {
-        auto wind = Wind::load(host(), bytes, k_settings);
+        auto wind = Wind::load(sharing_host(), bytes, k_settings);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }
@@ -68,7 +68,7 @@ class WindSaves : public WindParity {
 
 TEST_F(WindSaves, ContinueToTheBit) {
     for (const bool ticks : {true, false}) {
-        auto made = Wind::create(host(), stormy(), k_settings);
+        auto made = Wind::create(sharing_host(), stormy(), k_settings);
         ASSERT_TRUE(made) << made.error();
         Wind wind = *std::move(made);
         add_motors(wind.motors());
@@ -117,7 +117,7 @@ TEST_F(WindSaves, OfTheCpuContinueOnTheDevice) {
 }
 
 TEST_F(WindSaves, OfTheDeviceContinueOnTheCpu) {
-    auto made = Wind::create(host(), stormy(), k_settings);
+    auto made = Wind::create(sharing_host(), stormy(), k_settings);
     ASSERT_TRUE(made) << made.error();
     add_motors(made->motors());
     for (int n = 0; n < 20; ++n) {
@@ -141,7 +141,7 @@ TEST_F(WindSaves, OfSleepingAirSleepOn) {
         Config config = stormy();
         config.viscosity = 0.0f;
         config.gusts.intensity = gusts;
-        auto made = Wind::create(host(), config, k_settings);
+        auto made = Wind::create(sharing_host(), config, k_settings);
         ASSERT_TRUE(made) << made.error();
         Wind wind = *std::move(made);
         const auto asleep = [](const Wind& one) { return one.state().core.sleep.asleep(); };
@@ -184,7 +184,7 @@ TEST_F(WindSaves, OfSleepingAirSleepOn) {
 }
 
 TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
-    auto made = Wind::create(host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}}, {.frames_in_flight = 2});
+    auto made = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}}, {.frames_in_flight = 2});
     ASSERT_TRUE(made) << made.error();
     expect_error(made->saved(), "no wind is saved: record a frame with Frame::save");
     run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 1, .save = true})); });
@@ -195,11 +195,11 @@ TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
     auto bytes = made->saved();
     ASSERT_TRUE(bytes) << bytes.error();
     expect_error(made->saved(), "no wind is saved");
-    EXPECT_TRUE(Wind::load(host(), *bytes));
-    expect_error(Wind::load(host(), std::span(*bytes).first(100)), "snapshot is truncated");
-    expect_error(Wind::load(host(), {}), "not a Windrow snapshot");
+    EXPECT_TRUE(Wind::load(sharing_host(), *bytes));
+    expect_error(Wind::load(sharing_host(), std::span(*bytes).first(100)), "snapshot is truncated");
+    expect_error(Wind::load(sharing_host(), {}), "not a Windrow snapshot");
     bytes->at(200) ^= std::byte{1};
-    expect_error(Wind::load(host(), *bytes), "checksum does not match");
+    expect_error(Wind::load(sharing_host(), *bytes), "checksum does not match");
     run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 0, .save = true})); });
     made->forget();
     expect_error(made->saved(), "no wind is saved");
@@ -254,7 +254,7 @@ TEST_F(WindSaves, APauseAfterLoadPutsNoAirToSleep) {
 
 // What is read back and the cells in obstacles are of one place, also after a change that waits for the next recording.
 TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
-    auto wind = Wind::create(host(), {.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 0.0f}}, k_settings);
+    auto wind = Wind::create(sharing_host(), {.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 0.0f}}, k_settings);
     ASSERT_TRUE(wind) << wind.error();
     ASSERT_TRUE(wind->obstacles().add({.shape = Block{{4.0f, 4.0f, 4.0f}}}));
     record(*wind, 1.0 / 30.0, false);
@@ -275,7 +275,7 @@ TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
 // The pressure's history at the bodies is part of it: without it the wind goes on otherwise.
 TEST_F(WindSaves, ObstaclesGoOn) {
     const Config config{.cells = {16, 10, 12}, .ambient = {5.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}};
-    auto made = Wind::create(host(), config, {.texel = Texel::single, .queries = ReadBack::cells});
+    auto made = Wind::create(sharing_host(), config, {.texel = Texel::single, .queries = ReadBack::cells});
     ASSERT_TRUE(made) << made.error();
     const auto ball = made->obstacles().add({.position = {-3.0, 0.0, 0.0}, .shape = Sphere{2.0f}});
     ASSERT_TRUE(ball && made->obstacles().add({.position = {3.0, 0.0, 1.0}, .shape = Plate{{2.0f, 3.0f}}}));
@@ -288,7 +288,7 @@ TEST_F(WindSaves, ObstaclesGoOn) {
         go(*made, n, n == 9);
     const auto bytes = made->saved();
     ASSERT_TRUE(bytes) << bytes.error();
-    auto loaded = Wind::load(host(), *bytes, {.texel = Texel::single, .queries = ReadBack::cells});
+    auto loaded = Wind::load(sharing_host(), *bytes, {.texel = Texel::single, .queries = ReadBack::cells});
     ASSERT_TRUE(loaded) << loaded.error();
     auto on_cpu = windrow::Wind::load(*bytes);
     ASSERT_TRUE(on_cpu) << on_cpu.error();

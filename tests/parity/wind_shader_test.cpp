@@ -213,7 +213,7 @@ TEST_F(WindInShaders, HardwareFilteringIsOffByItsBitsAtMost) {
 // What Settings::textures leaves out is neither created nor held in memory.
 TEST_F(WindInShaders, OnlyTheTexturesAskedForExist) {
     const Config config{.cells = {16, 16, 16}};
-    const auto made = [&](TextureSet textures) { return *Wind::create(own->host(), config, {.textures = textures}); };
+    const auto made = [&](TextureSet textures) { return *Wind::create(sharing_host(), config, {.textures = textures}); };
     const Wind vectors = made(TextureSet::vectors), axes = made(TextureSet::axes), both = made(TextureSet::both);
     const auto has = [](const Wind& wind) {
         const Textures textures = wind.textures();

@@ -16,7 +16,7 @@ class WindSubsteps : public WindParity {
   protected:
     // The most of one tick, after the first. A software device takes a second for each of the largest grid.
     Counts counts(const Config& config, const std::function<void(Wind&, int)>& before) {
-        auto wind = Wind::create(own->host(), config);
+        auto wind = Wind::create(sharing_host(), config);
         EXPECT_TRUE(wind) << wind.error();
         Counts most;
         for (int n = 0; n < (config.cells.x < 128 ? 5 : 2); ++n) {
@@ -103,7 +103,7 @@ TEST_F(WindSubsteps, AStormThatNobodyForesawIsCarriedOverAndReplayed) {
     const Config config{.cells = {24, 16, 20}, .ambient = {4.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}};
     const DirectionalMotor storm{
         .position = {-4.0, 0.0, 0.0}, .region = Sphere{.radius = 4.0f}, .law = Drive{.speed = 300.0f, .rate = 60.0f}};
-    auto wind = Wind::create(own->host(), config, {.texel = Texel::single, .frames_in_flight = 1, .queries = ReadBack::cells});
+    auto wind = Wind::create(sharing_host(), config, {.texel = Texel::single, .frames_in_flight = 1, .queries = ReadBack::cells});
     ASSERT_TRUE(wind) << wind.error();
     EventLog log;
     wind->record_to(&log);
@@ -141,7 +141,7 @@ TEST_F(WindSubsteps, AStormThatNobodyForesawIsCarriedOverAndReplayed) {
     const auto read = EventLog::from_bytes(*bytes);
     ASSERT_TRUE(read) << read.error();
     for (const int in_flight : {1, 3}) {
-        auto again = Wind::create(own->host(), config,
+        auto again = Wind::create(sharing_host(), config,
                                   {.texel = Texel::single, .frames_in_flight = in_flight, .queries = ReadBack::cells});
         ASSERT_TRUE(again) << again.error();
         const auto done = replay(*read, *again, [&](const auto& record) { return own->run(record); });

@@ -177,7 +177,7 @@ TEST_F(PlantsOnTheDevice, BendInTheWindOfABoxAsOnTheCpu) {
     const glm::vec3 up{0.0f, 1.0f, 0.0f}, velocity{0.5f, 0.0f, -0.25f}, eye{0.0f, 2.0f, 0.0f};
 
     auto cpu = windrow::Wind::create(config);
-    auto gpu = Wind::create(own->host(), config, {.texel = Texel::single, .frames_in_flight = 1});
+    auto gpu = Wind::create(sharing_host(), config, {.texel = Texel::single, .frames_in_flight = 1});
     ASSERT_TRUE(cpu && gpu);
     // Blade, shell and tree at a place in the CPU's wind as it stands.
     const auto on_cpu = [&](std::size_t n) -> std::array<glm::vec3, 3> {

@@ -133,10 +133,10 @@ TEST(Tree, WhatBearersCarryKeepsItsForm) {
             return std::abs(glm::length(glm::dvec3(a_bent.position) - glm::dvec3(b_bent.position)) - before) /
                    static_cast<double>(part.length);
         };
-        TreeBearers shoot{.trunk = all.trunk, .leaf = all.leaf}; // a leaf that grows from the trunk
-        shoot.leaf.root = all.branch.root;
+        TreeBearers scene_renderer{.trunk = all.trunk, .leaf = all.leaf}; // a leaf that grows from the trunk
+        scene_renderer.leaf.root = all.branch.root;
         bough_most = std::max(bough_most, change(bough, bough.branch));
-        leaf_most = std::max(leaf_most, change(shoot, shoot.leaf));
+        leaf_most = std::max(leaf_most, change(scene_renderer, scene_renderer.leaf));
         leaf_most = std::max(leaf_most, change(all, all.leaf));
     }
     // A place 15 m up rounds by 1e-6 m, 2e-5 of the shortest leaf; parts 1e6 times as stiff as theirs bend by 1e-5 rad yet.

@@ -1,6 +1,6 @@
 // Bit-exact regression: the hash of every cell after 240 steps, for each scheme, interpolation, boundary kind and SIMD level.
 //
-// A refactoring changes no bit, so the table bits.txt stays as it is. A change of the method writes it anew
+// A refactoring changes no bit, so the table bits.txt stays as it is. A change of the method writes it again
 // (WINDROW_ACCEPT_BITS=1, on a machine with AVX-512) and says in its commit why.
 //
 // The story has every kind of motor, gusts, a canopy, viscosity, uneven steps and a box that moves, as far as its boundaries

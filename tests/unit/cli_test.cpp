@@ -214,7 +214,7 @@ TEST_F(Command, SignalsAreNoted) {
         EXPECT_EQ(InterruptGuard::signal(), number);
     }
     const InterruptGuard guard;
-    EXPECT_EQ(InterruptGuard::signal(), 0) << "a new guard begins anew";
+    EXPECT_EQ(InterruptGuard::signal(), 0) << "a new guard begins again";
 }
 
 // --- Folders and disks -----------------------------------------------------------------------------------------------

@@ -64,7 +64,7 @@ class Storm {
         if (count_ % 10 == 0) {
             EXPECT_TRUE(wind_.follow(random_.point(6.0)));
         }
-        // Long and short steps: sub-steps, and pivots made anew.
+        // Long and short steps: sub-steps, and pivots made again.
         largest_substeps_ = std::max(largest_substeps_, wind_.step(count_ % 5 == 0 ? 0.2 : 1.0 / 60.0).substeps);
     }
     [[nodiscard]] const Wind& wind() const { return wind_; }

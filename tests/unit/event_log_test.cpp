@@ -258,7 +258,7 @@ TEST(Replay, RejectsWhatTheCallsReject) {
         {FloorSet{broken}, "(set_floor): floor height"},
         {AmbientSet{glm::vec3(1e9f)}, "(set_ambient): ambient is"},
         {GustsSet{2.0f, 8.0f, 1, false}, "(set_gusts): gusts.intensity is 2"},
-        {SidesSet{{.x_low = {BoundaryKind::periodic}}}, "(set_boundaries): boundaries.x_high is not periodic"},
+        {BoundariesSet{{.x_low = {BoundaryKind::periodic}}}, "(set_boundaries): boundaries.x_high is not periodic"},
         {VelocitySet{Field(3)}, "(set_velocity): set_velocity got 3 cells"},
         {Stepped{-1.0}, "(step): dt is -1 s"},
         {Stepped{broken}, "(step): dt is nan s"},

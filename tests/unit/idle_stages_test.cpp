@@ -32,7 +32,7 @@ struct CountedStep {
     Diagnostics step;
 };
 
-// The third step of a scene: what is made anew at first is made.
+// The third step of a scene: what is made again at first is made.
 template <class Change>
 CountedStep third_step(Config config, const Change& change) {
     CountedLoops counter;

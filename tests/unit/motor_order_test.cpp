@@ -122,7 +122,7 @@ TEST(MotorOrder, NeitherTheOrderOfAddingNorTheThreadsChangeABit) {
     }
 }
 
-// What has an age or a path begins anew when it is added again: all of that is in the half that goes.
+// What has an age or a path begins again when it is added again: all of that is in the half that goes.
 TEST(MotorOrder, RemovedAndAddedAgainEqualsAListMadeFresh) {
     const std::vector<Motor> motors = some_motors(300, 62);
     Random random(63);

@@ -352,7 +352,7 @@ TEST(Obstacles, ChangesAreReportedOnce) {
     Obstacles obstacles;
     const auto changed = [&](const Window& window = k_window) {
         (void)ticked(obstacles, 0.02, window);
-        const bool stirred = obstacles.take_stirred();
+        const bool stirred = obstacles.take_moved();
         return std::pair(obstacles.take_changed(), stirred);
     };
     using Pair = std::pair<bool, bool>;

@@ -75,7 +75,7 @@ TEST(SceneWakes, AirBehindAWalkerFollowsIt) {
     EXPECT_LT(std::abs(test::figure("body_wakes/ahead_over_speed", along(4.5, 0.9, 0.0))), 0.1);
 }
 
-TEST(SceneWakes, AirBehindADressedBodyFollowsItAndFalseMeansStillAir) {
+TEST(SceneWakes, AirBehindAFurredBodyFollowsItAndFalseMeansStillAir) {
     for (const bool wake : {true, false}) {
         const auto scene = read(
             R"("bodies": [{"mesh": {"globe_sphere": {}}, "place": {"position": [0, -6.4, 0]}, "coats": [{}], "motion": {"path": "way", "wake": )" +

@@ -177,7 +177,7 @@ TEST(SnapshotFields, EachOfAMotorCounts) {
     each_of_a_motor_counts<PressureMotor>(pressure);
 }
 
-// A report while asleep is the one thing that no later step makes anew.
+// A report while asleep is the one thing that no later step makes again.
 TEST(SnapshotFields, ASleeperReportsTheSame) {
     Wind wind = made({.cells = {4, 4, 4}, .ambient = {3.0f, 1.0f, 0.0f}});
     (void)wind.step(0.1);

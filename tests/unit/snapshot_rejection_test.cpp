@@ -95,7 +95,7 @@ TEST(SnapshotRejection, EveryTruncation) {
     for (std::size_t size = 0; size < bytes.size(); ++size)
         ASSERT_FALSE(Wind::load(std::span(bytes).first(size))) << size;
     for (std::size_t size = 0; size < content_of(bytes).size(); ++size)
-        ASSERT_FALSE(Wind::load(sealed(content_of(bytes).first(size)))) << size << ", sealed anew";
+        ASSERT_FALSE(Wind::load(sealed(content_of(bytes).first(size)))) << size << ", sealed again";
 }
 
 TEST(SnapshotRejection, EveryChangedByte) {

@@ -92,7 +92,8 @@ std::string field_of(const Run& run) {
 }
 
 FrameCase base(const Run& run) {
-    return {.metres = run.metres, .shoot = {.size = run.size, .backend = program::Backend::vulkan}}; // also on a software device
+    return {.metres = run.metres,
+            .scene_renderer = {.size = run.size, .backend = program::Backend::vulkan}}; // also on a software device
 }
 
 void by_stage(const Run& run) {
@@ -118,7 +119,7 @@ void wind_passes(const Run& run) {
     head(run, "The wind's passes, ms", "field of 16 m, each pass timed; a tick a frame, of 1/60 s");
     FrameCase wanted = base(run);
     wanted.metres = 16.0;
-    wanted.shoot.pass_times = true;
+    wanted.scene_renderer.pass_times = true;
     Stages stages;
     stages.push_back(std::make_unique<FrameStage>(wanted));
     std::vector<std::pair<std::string, double>> sums;
@@ -126,7 +127,7 @@ void wind_passes(const Run& run) {
     int counted = 0;
     for (int n = 0; n < run.warm + run.frames; ++n) {
         stages[0]->draw(n >= run.warm);
-        const auto times = stages[0]->shoot().air().pass_times();
+        const auto times = stages[0]->scene_renderer().air().pass_times();
         if (n < run.warm || !times)
             continue;
         for (const auto& pass : times->passes) { // a frame without a tick has fewer kinds of them
@@ -162,7 +163,7 @@ void wind_on_and_off(const Run& run) {
             FrameCase wanted = base(run);
             wanted.metres = run.small_metres;
             wanted.cells = cells;
-            wanted.shoot.wind = wind;
+            wanted.scene_renderer.wind = wind;
             stages.push_back(std::make_unique<FrameStage>(wanted));
         }
         draw_in_turn(stages, run.warm, run.frames);
@@ -195,7 +196,8 @@ void against_places(const Run& run) {
         };
         std::printf("| %.0f m | %.0f | %.3f | %.3f | %.3f | %.3f | %.2f | %.1f |\n", std::sqrt(stage->places()) / 6.0,
                     stage->places(), stage->median(), of("prepare"), of("shadow"), of("colour"),
-                    stage->median() / stages.front()->median(), 1e-6 * static_cast<double>(stage->shoot().memory().grass));
+                    stage->median() / stages.front()->median(),
+                    1e-6 * static_cast<double>(stage->scene_renderer().memory().grass));
     }
 }
 
@@ -234,16 +236,17 @@ void ablation(const Run& run) {
             wanted.grass.split_distance = 0.999f * wanted.grass.cut_distance;
             wanted.grass.morph_from = 0.98f;
         }
-        wanted.shoot.counts = true;
+        wanted.scene_renderer.counts = true;
         // A record for each blade that stands; where a device has no buffer for that many, those beyond share one.
-        wanted.shoot.max_blades = static_cast<int>(std::min(4194304.0, std::max(262144.0, 36.0 * wanted.metres * wanted.metres)));
+        wanted.scene_renderer.max_blades =
+            static_cast<int>(std::min(4194304.0, std::max(262144.0, 36.0 * wanted.metres * wanted.metres)));
         stages.push_back(std::make_unique<FrameStage>(wanted));
     }
     draw_in_turn(stages, run.warm, run.frames);
     std::printf("| | frame | colour | none / frame | vertices drawn | vertex stage ran | factor | fragments "
                 "|\n|---|---|---|---|---|---|---|---|\n");
     for (std::size_t n = 0; n < stages.size(); ++n) {
-        const render::VertexCounts counts = stages[n]->shoot().counts();
+        const render::VertexCounts counts = stages[n]->scene_renderer().counts();
         double colour = 0.0;
         for (const auto& each : stages[n]->stages())
             if (each.name == "colour")
@@ -263,10 +266,10 @@ void vertex_factors(const Run& run) {
     head(run, "Vertices of the colour pass, by the device's counters",
          (field_of(run) + ", default settings; last frame").c_str());
     FrameCase wanted = base(run);
-    wanted.shoot.counts = true;
+    wanted.scene_renderer.counts = true;
     FrameStage stage(wanted);
     stage.draw(true);
-    const render::VertexCounts of = stage.shoot().counts();
+    const render::VertexCounts of = stage.scene_renderer().counts();
     if (of.vertices == 0)
         return (void)std::printf("this device counts no vertices (pipelineStatisticsQuery)\n");
     std::printf("| vertices drawn | vertex stage ran | factor | fragments |\n|---|---|---|---|\n| %llu | %llu | %.3f | %llu |\n",
@@ -280,7 +283,7 @@ bool memory(const Run& run) {
     const std::uint64_t before = windrow::vegetation::bench::allocated_bytes();
     const FrameStage stage(base(run));
     const std::uint64_t allocated = windrow::vegetation::bench::allocated_bytes() - before;
-    const program::ShootMemory of = stage.shoot().memory();
+    const program::SceneRendererMemory of = stage.scene_renderer().memory();
     const std::uint64_t sum = of.targets + of.wind + of.grass + of.ground_memory + of.room;
     std::printf("| kind | bytes | share |\n|---|---|---|\n");
     const auto row = [sum](const char* name, std::uint64_t bytes) {

@@ -59,23 +59,23 @@ FrameStage::FrameStage(const FrameCase& wanted) {
         must(Error{read.error()});
     scene_ = std::make_unique<program::PictureScene>(*std::move(read));
     scene_->picture.grass.front().drawn.field = wanted.grass;
-    auto made = program::Shoot::create(*scene_, wanted.shoot);
+    auto made = program::SceneRenderer::create(*scene_, wanted.scene_renderer);
     if (!made)
         must(Error{made.error()});
-    shoot_ = *std::move(made);
-    must(shoot_->warm_up());
-    must(shoot_->draw(false));
-    table_ = program::StageTable(*shoot_);
+    scene_renderer_ = *std::move(made);
+    must(scene_renderer_->warm_up());
+    must(scene_renderer_->draw(false));
+    table_ = program::StageTable(*scene_renderer_);
 }
 
 void FrameStage::draw(bool timed) {
     const auto start = std::chrono::steady_clock::now();
-    must(shoot_->draw(false));
+    must(scene_renderer_->draw(false));
     if (!timed)
         return;
     wall_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     ++timed_;
-    table_.add(shoot_->frame(), shoot_->times());
+    table_.add(scene_renderer_->frame(), scene_renderer_->times());
 }
 
 double FrameStage::median() const {
@@ -84,7 +84,7 @@ double FrameStage::median() const {
 }
 
 double FrameStage::places() const {
-    const auto cells = shoot_->grass().front()->field().tree().cells();
+    const auto cells = scene_renderer_->grass().front()->field().tree().cells();
     return static_cast<double>(cells.x) * cells.y;
 }
 

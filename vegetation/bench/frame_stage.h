@@ -1,7 +1,7 @@
 // The meadows that frame_bench.cpp measures, and frames of them, timed.
 #pragma once
 
-#include "vegetation/program/shoot.h"
+#include "vegetation/program/scene_renderer.h"
 #include "vegetation/program/stage_table.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ struct FrameCase {
     bool moves = false;           ///< the eye walks, 2 m/s; else it stands in the middle, 1.7 m high
     bool walker = true;           ///< someone walks before the eye, with a wake, on ground that remembers
     grass::GrassSettings grass{};
-    program::ShootSettings shoot{};
+    program::SceneRendererSettings scene_renderer{};
 };
 
 /// A case that is ready to be drawn: settled, its chunks made by a first frame.
@@ -28,7 +28,7 @@ class FrameStage {
 
     /// Draws a frame, `timed` or to warm up.
     void draw(bool timed);
-    [[nodiscard]] const program::Shoot& shoot() const { return *shoot_; }
+    [[nodiscard]] const program::SceneRenderer& scene_renderer() const { return *scene_renderer_; }
     /// Stages of the timed frames, by the device's clock; the last is the frame, their sum.
     [[nodiscard]] std::vector<program::StageFigures> stages() const { return table_.figures(); }
     /// [ms] Timed frames on the wall's clock, recording, submission and waiting included: mean.
@@ -39,7 +39,7 @@ class FrameStage {
 
   private:
     std::unique_ptr<program::PictureScene> scene_{};
-    std::unique_ptr<program::Shoot> shoot_{};
+    std::unique_ptr<program::SceneRenderer> scene_renderer_{};
     program::StageTable table_{};
     double wall_ = 0.0;
     int timed_ = 0;

@@ -1,4 +1,4 @@
-// A glTF 2.0 file, as text or binary (GLB), checked before Assimp sees it, and written anew without what was not understood.
+// A glTF 2.0 file, as text or binary (GLB), checked before Assimp sees it, and written again without what was not understood.
 //
 // Kept: the scene's nodes with their places, meshes of triangles with POSITION, NORMAL, TEXCOORD_0 and indices, the materials'
 // names, and of accessors, views and buffers those that these use. Images, skins, animations, cameras and extensions are left

@@ -40,7 +40,7 @@ class CoatRoom {
              std::span<const std::uint32_t> narrow);
 
     /// After the skin's pass and its barrier to reading and writing by compute; ends with such a barrier. Sets 0 to 2 are bound
-    /// anew. `seconds` since the last frame, 0: unknown, strands are at once where they belong. `first`: no frame was before.
+    /// again. `seconds` since the last frame, 0: unknown, strands are at once where they belong. `first`: no frame was before.
     void record(VkCommandBuffer commands, std::span<const VkDescriptorSet, 3> before, double seconds, bool first) const;
 
   private:

@@ -67,7 +67,7 @@ void project_uv(Mesh& mesh);
 
 /// Down to `most` triangles, or to as few as the rules above allow; vertices that are left over are removed. It ends earlier where
 /// points with thousands of triangles each would take minutes: after 12 million looks at a triangle and 100 for each. Normals are those
-/// of the vertices that stay: make them anew. The order of collapses does not depend on the machine.
+/// of the vertices that stay: make them again. The order of collapses does not depend on the machine.
 void simplify(Mesh& mesh, std::size_t most);
 
 } // namespace windrow::vegetation::fur

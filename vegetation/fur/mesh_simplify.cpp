@@ -149,7 +149,7 @@ class Simplifier {
             drop_outdated();
     }
 
-    // Each collapse prices its neighbourhood anew: without this, most of the queue would be outdated.
+    // Each collapse prices its neighbourhood again: without this, most of the queue would be outdated.
     void drop_outdated() {
         std::erase_if(queue_, [&](const Collapse& each) { return each.age != ages_[each.from]; });
         std::make_heap(queue_.begin(), queue_.end(), std::greater<>());

@@ -99,7 +99,7 @@ windrow::scene::PictureAir air_of(const Picture& picture, const json& value) {
         air.bodies.push_back({.name = body.name,
                               .place = body.place,
                               .motion = body.motion,
-                              .dressed = !body.coats.empty(),
+                              .furred = !body.coats.empty(),
                               .mesh = own.contains("mesh") ? &own["mesh"] : nullptr});
     }
     return air;

@@ -208,7 +208,7 @@ struct Picture {
 struct PictureScene {
     windrow::scene::Scene air;
     Picture picture;
-    /// What is left for meshes and maps, which are read when bodies are dressed.
+    /// What is left for meshes and maps, which are read when bodies are furred.
     windrow::detail::InputBudget inputs{};
 
     /// Pictures a second.

@@ -13,7 +13,7 @@
 #include "pictures/picture_files.h"
 #include "pictures/sheet.h"
 #include "vegetation/program/picture_reader.h"
-#include "vegetation/program/shoot.h"
+#include "vegetation/program/scene_renderer.h"
 #include "vegetation/program/stage_table.h"
 
 #include <CLI/CLI.hpp>
@@ -42,7 +42,7 @@ struct Options {
     double from = 0.0;                       ///< [s]
     bool resume = false;                     ///< pictures at the begin that are there are kept
     bool exr = false;
-    program::ShootSettings shoot{};
+    program::SceneRendererSettings scene_renderer{};
 };
 
 /// What a run leaves behind for its last words.
@@ -60,13 +60,14 @@ std::filesystem::path name_of(const Options& options, std::int64_t frame, const 
 }
 
 /// The picture last: where it is, all of the frame is (--resume).
-Result<void> keep(const Options& options, const program::Shoot& shoot, std::int64_t frame) {
+Result<void> keep(const Options& options, const program::SceneRenderer& scene_renderer, std::int64_t frame) {
     if (options.exr)
-        if (auto written = windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
-                                                        name_of(options, frame, ".exr"));
+        if (auto written =
+                windrow::pictures::write_exr(scene_renderer.images().light_picture(), scene_renderer.images().motion_picture(),
+                                             name_of(options, frame, ".exr"));
             !written)
             return written;
-    return windrow::pictures::write_png(shoot.images().picture(), name_of(options, frame, ".png"));
+    return windrow::pictures::write_png(scene_renderer.images().picture(), name_of(options, frame, ".png"));
 }
 
 /// The first frame from `first` on, before `end`, that has no picture yet. A picture is written whole or not at all.
@@ -77,38 +78,38 @@ std::int64_t first_without_picture(const Options& options, std::int64_t first, s
     return first;
 }
 
-Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::Shoot& shoot) {
+Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::SceneRenderer& scene_renderer) {
     // Motion vectors are of two frames, and what is drawn keeps its last place: so many are drawn, and not written, before a film
     // goes on.
     constexpr std::int64_t k_lead = 2;
     const auto begin = std::chrono::steady_clock::now();
-    const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
-    const auto asked = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
+    const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * scene_renderer.frames_per_second() + 1e-9)) + 1;
+    const auto asked = static_cast<std::int64_t>(std::llround(options.from * scene_renderer.frames_per_second()));
     if (asked >= total)
         return Error{windrow::detail::message("--from is ", options.from, " s, after the scene's end at ", scene.air.duration,
                                               " s; give an earlier moment.")};
     const std::int64_t end = options.frames > 0 ? std::min(total, asked + options.frames) : total;
     const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
-    const std::int64_t lead = shoot.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
+    const std::int64_t lead = scene_renderer.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
     if (first == end)
         return Kept{.before = end - asked};
-    if (auto settled = shoot.warm_up(); !settled)
+    if (auto settled = scene_renderer.warm_up(); !settled)
         return Error{settled.error()};
     Kept kept{.before = first - asked};
-    kept.stages = program::StageTable(shoot);
+    kept.stages = program::StageTable(scene_renderer);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_max_on_sheet));
     const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
-        if (auto done = frame < lead ? shoot.skip() : shoot.draw(frame >= first); !done)
+        if (auto done = frame < lead ? scene_renderer.skip() : scene_renderer.draw(frame >= first); !done)
             return Error{done.error()};
         if (frame < first)
             continue;
-        if (auto written = keep(options, shoot, frame); !written)
+        if (auto written = keep(options, scene_renderer, frame); !written)
             return Error{written.error()};
-        kept.stages.add(frame, shoot.times());
+        kept.stages.add(frame, scene_renderer.times());
         if ((frame - first) % every == 0)
-            kept.sheet.push_back(shoot.images().picture());
+            kept.sheet.push_back(scene_renderer.images().picture());
         ++kept.pictures;
         if (shows_progress)
             std::fprintf(stderr, "\rframe %d of %d ", static_cast<int>(frame - first + 1), static_cast<int>(end - first));
@@ -152,10 +153,10 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         return complain("--out " + options.folder.string() + " cannot be made (" + error.message() +
                             "); name a folder that you may write to.",
                         2);
-    auto shoot = program::Shoot::create(*scene, options.shoot);
-    if (!shoot)
-        return complain(shoot.error(), 2);
-    auto kept = draw(options, *scene, **shoot);
+    auto scene_renderer = program::SceneRenderer::create(*scene, options.scene_renderer);
+    if (!scene_renderer)
+        return complain(scene_renderer.error(), 2);
+    auto kept = draw(options, *scene, **scene_renderer);
     if (!kept)
         return complain(kept.error(), 2);
     if (kept->sheet.size() > 1)
@@ -172,8 +173,9 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         return 0;
     if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
         return complain(written.error(), 2);
-    std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*shoot)->device().c_str(), static_cast<int>(kept->pictures),
-                (*shoot)->size().x, (*shoot)->size().y, kept->seconds, options.folder.string().c_str());
+    std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*scene_renderer)->device().c_str(),
+                static_cast<int>(kept->pictures), (*scene_renderer)->size().x, (*scene_renderer)->size().y, kept->seconds,
+                options.folder.string().c_str());
     std::fputs(kept->stages.text().c_str(), stdout);
     return 0;
 }
@@ -262,36 +264,36 @@ int main(int argument_count, char** arguments) {
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
     app.add_flag("--resume", options.resume, "keeps pictures that are there, from the first on, and draws those behind them");
-    app.add_option("--warm-up", options.shoot.warm_up, "[s] of wind before the first picture; default: the scene's")
+    app.add_option("--warm-up", options.scene_renderer.warm_up, "[s] of wind before the first picture; default: the scene's")
         ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
-    app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
-    app.add_option("--shutter", options.shoot.shutter_deg,
+    app.add_option("--samples", options.scene_renderer.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
+    app.add_option("--shutter", options.scene_renderer.shutter_deg,
                    "[deg] blurs what moves, as a camera does that is open for this angle of a "
                    "frame; 180 is a film's; default: the scene's")
         ->check(within(0.0, 360.0));
     app.add_option("--show", show, "plants, or with them streaks, arrows, slice of the wind; or lean, levels, chunks");
     app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
     app.add_option("--backend", backend, "what runs the air: cpu or vulkan; default: vulkan on a GPU, cpu on a software device");
-    app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");
+    app.add_flag("!--no-wind", options.scene_renderer.wind, "without wind: what it costs");
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
         return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what(), 2);
     }
     if (!size.empty())
-        if (const std::string fault = read_size(size, options.shoot.size); !fault.empty())
+        if (const std::string fault = read_size(size, options.scene_renderer.size); !fault.empty())
             return complain(fault, 2);
     const auto shown = shows.find(show);
     if (shown == shows.end())
         return complain("--show is \"" + show + "\"; give one of plants, streaks, arrows, slice, lean, levels, chunks.", 2);
-    options.shoot.show = shown->second;
+    options.scene_renderer.show = shown->second;
     if (!backend.empty() && backend != "cpu" && backend != "vulkan")
         return complain("--backend is \"" + backend + "\"; give cpu or vulkan.", 2);
     if (!backend.empty())
-        options.shoot.backend = backend == "cpu" ? program::Backend::cpu : program::Backend::vulkan;
+        options.scene_renderer.backend = backend == "cpu" ? program::Backend::cpu : program::Backend::vulkan;
     if (frames_per_second > 0.0)
-        options.shoot.frames_per_second = frames_per_second;
+        options.scene_renderer.frames_per_second = frames_per_second;
     return run_all(options);
 }

@@ -28,8 +28,8 @@ StageFigures figures_of(std::string name, std::vector<double> times) {
 
 } // namespace
 
-StageTable::StageTable(const Shoot& shoot) {
-    const ShootMemory memory = shoot.memory();
+StageTable::StageTable(const SceneRenderer& scene_renderer) {
+    const SceneRendererMemory memory = scene_renderer.memory();
     char text[256];
     std::snprintf(text, sizeof text,
                   "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",

@@ -1,7 +1,7 @@
 // What the stages of frames took on the device: mean, median and 99 %, and each frame as CSV.
 #pragma once
 
-#include "vegetation/program/shoot.h"
+#include "vegetation/program/scene_renderer.h"
 
 #include <filesystem>
 #include <string>
@@ -19,7 +19,7 @@ class StageTable {
   public:
     StageTable() = default;
     /// Notes what memory the figures belong to.
-    explicit StageTable(const Shoot& shoot);
+    explicit StageTable(const SceneRenderer& scene_renderer);
 
     void add(std::int64_t frame, const std::vector<render::StageTime>& times);
     /// Stage by stage in the order of their first frame, then "frame", their sum; empty where the device counts no time.

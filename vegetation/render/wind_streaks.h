@@ -31,7 +31,7 @@ struct WindStreakSettings {
             Setting("count", &WindStreakSettings::count, {1.0, 100000.0}, "Streaks in the box."),
             Setting("seconds", &WindStreakSettings::seconds, Range::above(0.0, 60.0, "s"),
                     "A streak is as long as the way in this time."),
-            Setting("life", &WindStreakSettings::life, Range::above(0.0, 600.0, "s"), "After it one begins anew elsewhere."),
+            Setting("life", &WindStreakSettings::life, Range::above(0.0, 600.0, "s"), "After it one begins again elsewhere."),
             Setting("lowest", &WindStreakSettings::lowest, {-1e4, 1e4, "m"},
                     "Height above the box's low face at which streaks begin; most do near it."),
             Setting("highest", &WindStreakSettings::highest, {-1e4, 1e4, "m"}, "Highest such height, at least lowest."),
@@ -59,7 +59,7 @@ class StreakWays {
     using Blocked = std::function<bool(const glm::dvec3& from, const glm::dvec3& to)>;
 
     StreakWays(const WindStreakSettings& settings, const StreakBox& box);
-    /// Advances by dt [s]. One that leaves the box, comes to a body or ends begins anew.
+    /// Advances by dt [s]. One that leaves the box, comes to a body or ends begins again.
     void advance(double dt, const Velocity& velocity, const Blocked& blocked);
 
     struct Way {

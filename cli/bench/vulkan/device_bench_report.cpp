@@ -104,7 +104,7 @@ void report_device_grid(const DeviceGridResult& grid, bool software, const Conso
                 << mebibytes(grid.read_back_bytes) << " MiB by the read-back; device memory " << mebibytes(grid.memory_bytes)
                 << " MiB\n"
                 << message("  against the CPU after ", grid.all_steps, " steps, ", grid.parity_steps,
-                           " since the flow was laid in anew: ")
+                           " since the flow was laid in again: ")
                 << to_scientific(grid.parity, 1) << " of the largest velocity\n";
     if (grid.max_substeps > 1 || grid.slept)
         console.warn(grid.slept ? "the air slept, so that its times are those of another step."

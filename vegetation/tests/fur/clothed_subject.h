@@ -3,7 +3,7 @@
 #pragma once
 
 #include "vegetation/files/mesh_file.h"
-#include "vegetation/program/dressed_body.h"
+#include "vegetation/program/furred_body.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/tests/fur/coat_numerics.h"
 #include "vegetation/tests/fur/folder.h"

@@ -78,7 +78,7 @@ struct Stage {
             counted = renderer->counter()->collect(frame.slot);
     }
 
-    /// Radiance of a pixel of the last frame, before exposure. Read `light` anew after each frame.
+    /// Radiance of a pixel of the last frame, before exposure. Read `light` again after each frame.
     [[nodiscard]] render::PictureF light() const { return renderer->images().light_picture(); }
 
     render::Scene scene;

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AirBackends, testing::Values("meadow", "train",
 TEST(Detail, MovesALawnInASteadyWind) {
     auto scene = read_picture_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples/scenes/looks/low.json");
     ASSERT_TRUE(scene) << scene.error();
-    const ShootSettings settings{.size = glm::ivec2(64, 36), .frames_per_second = 10.0, .warm_up = 0.0};
+    const SceneRendererSettings settings{.size = glm::ivec2(64, 36), .frames_per_second = 10.0, .warm_up = 0.0};
     scene->air.duration = 0.3;
     const auto before = test::last_picture(*scene, settings);
     scene->air.duration = 0.6;
@@ -97,7 +97,7 @@ TEST_P(PictureBackends, DrawTheSame) {
     auto scene = test::read_scene(GetParam());
     ASSERT_TRUE(scene) << scene.error();
     scene->air.air.pressure_solves = 2;
-    ShootSettings settings{.size = glm::ivec2(128, 72), .shutter_deg = 180.0f, .backend = Backend::vulkan};
+    SceneRendererSettings settings{.size = glm::ivec2(128, 72), .shutter_deg = 180.0f, .backend = Backend::vulkan};
     const auto device = test::last_picture(*scene, settings);
     settings.backend = Backend::cpu;
     const auto cpu = test::last_picture(*scene, settings);

@@ -29,17 +29,18 @@ Result<PictureScene> read_scene(const std::string& name) {
     return read_picture_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/scenes" / (name + ".json"));
 }
 
-Result<render::Picture8> last_picture(const PictureScene& scene, const ShootSettings& settings, int drawn) {
-    auto shoot = Shoot::create(scene, settings);
-    if (!shoot)
-        return Error{shoot.error()};
-    if (auto settled = (*shoot)->warm_up(); !settled)
+Result<render::Picture8> last_picture(const PictureScene& scene, const SceneRendererSettings& settings, int drawn) {
+    auto scene_renderer = SceneRenderer::create(scene, settings);
+    if (!scene_renderer)
+        return Error{scene_renderer.error()};
+    if (auto settled = (*scene_renderer)->warm_up(); !settled)
         return Error{settled.error()};
-    const auto frames = static_cast<std::int64_t>(std::llround(scene.air.duration * (*shoot)->frames_per_second())) + 1;
-    while ((*shoot)->frame() < frames)
-        if (auto done = (*shoot)->frame() < frames - drawn ? (*shoot)->skip() : (*shoot)->draw(); !done)
+    const auto frames = static_cast<std::int64_t>(std::llround(scene.air.duration * (*scene_renderer)->frames_per_second())) + 1;
+    while ((*scene_renderer)->frame() < frames)
+        if (auto done = (*scene_renderer)->frame() < frames - drawn ? (*scene_renderer)->skip() : (*scene_renderer)->draw();
+            !done)
             return Error{done.error()};
-    return (*shoot)->images().picture();
+    return (*scene_renderer)->images().picture();
 }
 
 Apart apart(const render::Picture8& a, const render::Picture8& b) {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "pictures/picture_files.h"
-#include "vegetation/program/shoot.h"
+#include "vegetation/program/scene_renderer.h"
 
 #include <filesystem>
 #include <string>
@@ -17,7 +17,7 @@ namespace windrow::vegetation::program::test {
 
 /// Settles, lets all frames of the scene but the last `drawn` pass without a picture, draws those, and gives the last one, of the
 /// scene's end.
-[[nodiscard]] windrow::Result<render::Picture8> last_picture(const PictureScene& scene, const ShootSettings& settings,
+[[nodiscard]] windrow::Result<render::Picture8> last_picture(const PictureScene& scene, const SceneRendererSettings& settings,
                                                              int drawn = 3);
 
 /// In 8-bit sRGB, 0 to 255.

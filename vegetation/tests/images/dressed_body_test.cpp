@@ -1,6 +1,6 @@
 // What dresses a scene's bodies, without a picture: meshes and their fur lines, parts, how far the air carries a pattern.
 #include "tests/figure.h"
-#include "vegetation/program/dressed_body.h"
+#include "vegetation/program/furred_body.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/tests/program/specimen.h"
 
@@ -23,7 +23,7 @@ void write_tent(const Folder& folder) {
         "mtllib tent.mtl\nv 0 0 0\nv 4 0 0\nv 0 0 4\nv 0 4 0\nusemtl fur\nf 1 2 3\nf 1 4 2\nf 1 3 4\nusemtl felt\nf 2 4 3\n");
 }
 
-TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
+TEST(FurredBody, FurLineOfTheFileIsItsCoat) {
     const Folder folder;
     write_tent(folder);
     const auto scene = read_picture_scene_text(k_furred, folder / "a.json");
@@ -50,7 +50,7 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     EXPECT_FALSE(model_of(*scene, scene->picture.bodies.at(1), budget)); // no such file: reported when it is drawn
 }
 
-TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {
+TEST(FurredBody, PatternDriftsAsTheWindTimesTheTime) {
     // The pattern drifts by wind times time, within a texel. Without a profile the wind is the same everywhere, with one it is
     // that of the body's own height.
     const auto scene = read_picture_scene_text(
@@ -62,7 +62,7 @@ TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {
         const glm::dvec2 off = drift_of(*scene, scene->picture.bodies.at(0), time) - time * glm::dvec2(9.0, -2.5);
         worst = std::max(worst, std::hypot(off.x, off.y));
     }
-    WINDROW_EXPECT_FIGURE("images/dressed_body/drift_m", worst, 1e-9);
+    WINDROW_EXPECT_FIGURE("images/furred_body/drift_m", worst, 1e-9);
     const auto sheared = read_picture_scene_text(
         R"({"air": {"ambient": [9, 0, 0], "profile": {}, "boundaries": {"y_low": "free_slip"}}, "picture": {"bodies": [{"place": {"position": [0, 70, 0]}}]}})",
         "a.json");

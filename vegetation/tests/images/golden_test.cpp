@@ -1,6 +1,6 @@
 // Small scenes as pictures, held to references that were looked at: vegetation/tests/images/golden/NAME.png.
 //
-//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'    writes the references anew
+//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'    writes the references again
 //
 // To add a scene: a file in vegetation/tests/images/scenes and a line in k_scenes. Look at a picture before you accept it.
 #include "tests/figure.h"

@@ -80,19 +80,19 @@ class Shot {
             layer.drawn.springs = springs;
             layer.drawn.spring = spring.value_or(layer.drawn.spring);
         }
-        auto made = Shoot::create(scene_, {.size = glm::ivec2(640, 360), .frames_per_second = k_rate});
+        auto made = SceneRenderer::create(scene_, {.size = glm::ivec2(640, 360), .frames_per_second = k_rate});
         if (!made)
             throw std::runtime_error(made.error());
-        shoot_ = *std::move(made);
-        well(shoot_->warm_up());
+        scene_renderer_ = *std::move(made);
+        well(scene_renderer_->warm_up());
     }
     std::vector<Luminance> draw(std::int64_t first, std::int64_t count) {
-        while (shoot_->frame() < first)
-            well(shoot_->skip());
+        while (scene_renderer_->frame() < first)
+            well(scene_renderer_->skip());
         std::vector<Luminance> drawn;
         for (std::int64_t n = 0; n < count; ++n) {
-            well(shoot_->draw());
-            drawn.push_back(lower_quarter(shoot_->images().picture()));
+            well(scene_renderer_->draw());
+            drawn.push_back(lower_quarter(scene_renderer_->images().picture()));
         }
         return drawn;
     }
@@ -103,7 +103,7 @@ class Shot {
             throw std::runtime_error(result.error());
     }
     PictureScene scene_{};
-    std::unique_ptr<Shoot> shoot_{};
+    std::unique_ptr<SceneRenderer> scene_renderer_{};
 };
 
 TEST(LongMeadowMotion, IsNeitherBoilingNorFrozen) {

@@ -13,7 +13,7 @@ class Repeat : public testing::TestWithParam<const char*> {};
 TEST_P(Repeat, IsTheSameToTheByte) {
     const auto scene = test::read_scene(GetParam());
     ASSERT_TRUE(scene) << scene.error();
-    const ShootSettings settings{.show = std::string(GetParam()) == "wind_slice" ? Show::slice : Show::plants};
+    const SceneRendererSettings settings{.show = std::string(GetParam()) == "wind_slice" ? Show::slice : Show::plants};
     const auto first = test::last_picture(*scene, settings);
     const auto second = test::last_picture(*scene, settings);
     ASSERT_TRUE(first) << first.error();
@@ -29,13 +29,14 @@ class Resume : public testing::TestWithParam<const char*> {};
 TEST_P(Resume, GivesTheFrameOfAnUnbrokenFilm) {
     auto scene = test::read_scene(GetParam());
     ASSERT_TRUE(scene) << scene.error();
-    const ShootSettings settings{.size = glm::ivec2(96, 54), .frames_per_second = 24.0, .warm_up = 0.0, .shutter_deg = 180.0f};
+    const SceneRendererSettings settings{
+        .size = glm::ivec2(96, 54), .frames_per_second = 24.0, .warm_up = 0.0, .shutter_deg = 180.0f};
     scene->air.duration = 0.25;
     const auto all = test::last_picture(*scene, settings, 7);
     const auto resumed = test::last_picture(*scene, settings, 3);
     ASSERT_TRUE(all) << all.error();
     ASSERT_TRUE(resumed) << resumed.error();
-    EXPECT_EQ(all->values, resumed->values) << "what a drawable keeps from frame to frame must go on in Shoot::swing";
+    EXPECT_EQ(all->values, resumed->values) << "what a drawable keeps from frame to frame must go on in SceneRenderer::swing";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Resume, testing::Values("steady_trail", "grove", "fur_ball"),

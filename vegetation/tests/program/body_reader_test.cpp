@@ -38,8 +38,8 @@ TEST(BodyReader, BodyWithoutKeysStandsAtTheOrigin) {
 
 TEST(BodyReader, SpecimensCoatIsReadWhole) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const BodyCoat& coat = scene->picture.bodies.at(0).coats.at(0);
     EXPECT_EQ(coat.material, "fur");
@@ -91,7 +91,7 @@ TEST(BodyReader, WhatTheFurLineSaysIsNotWritten) {
 }
 
 TEST(BodyReader, EachKindOfMeshComesBackIdentical) {
-    const json given = json::parse(test::k_specimen)["picture"]["bodies"];
+    const json given = json::parse(test::k_sample_values)["picture"]["bodies"];
     for (std::size_t n = 1; n < given.size(); ++n) {
         const auto scene = read_body(given[n].dump());
         ASSERT_TRUE(scene) << scene.error();

@@ -5,7 +5,7 @@ With SCENE, a file, that one draws a frame of 128 x 72 px under the validation l
 between them; whatever it says lands in the output, which must be the program's own lines. The picture is held to the one below
 REFERENCES that was looked at and accepted; what was drawn, and the difference where it is another, are below the folder LEFT.
 
-    WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R '^program\\.draw\\.'        accepts all pictures anew
+    WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R '^program\\.draw\\.'        accepts all pictures again
     WINDROW_ACCEPT_IMAGES=1 ctest --test-dir build/release -R '^program\\.draw\\.wheat$'   accepts one
 
 Without SCENE, every scene keeps the schema and has its reference, and the program rejects bad input with exit code 2 and one

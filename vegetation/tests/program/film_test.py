@@ -72,7 +72,7 @@ class Film(unittest.TestCase):
         run = self.run_film("cut", *([] if shutil.which("ffmpeg") else ["--frames-only"]))
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertIn("10 frames, 10 are there", run.stdout)
-        self.assertRegex(run.stdout, r"02_low: 3 frames\n", "a shot whose scene has changed is drawn anew")
+        self.assertRegex(run.stdout, r"02_low: 3 frames\n", "a shot whose scene has changed is drawn again")
         if shutil.which("ffmpeg"):
             self.assertIn("windrow.mp4: 0.5 s", run.stdout)  # 10 + 3 - 1 frames
             film = self.folder / "cut" / "windrow.mp4"

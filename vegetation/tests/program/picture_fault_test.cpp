@@ -153,7 +153,7 @@ TEST(PictureFault, FaultsOfTheAirAndOfThePictureAreToldAtOnce) {
 
 TEST(PictureFault, FilesThatAreMissingCutOrNone) {
     const Folder folder;
-    test::write_specimen_files(folder);
+    test::write_sample_files(folder);
     folder.write_pgm("tall.pgm", 3, 2, [](int, int) { return 0; });
     folder.write("cut.pgm", "P5\n9 5\n65535\n1234");
     folder.write("huge.pgm", "P5\n2147483647 2147483647\n65535\n");
@@ -194,8 +194,8 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
 
 TEST(PictureFault, EveryBeginningOfASceneIsRejected) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const std::string whole = test::k_specimen;
+    test::write_sample_files(folder);
+    const std::string whole = test::k_sample_values;
     for (std::size_t size = 0; size + 1 < whole.size(); size += 7)
         EXPECT_FALSE(read_picture_scene_text(whole.substr(0, size), folder / "a.json")) << size;
 }

@@ -60,8 +60,8 @@ TEST(PictureReader, ClassGivesTheStalkThatKeysThenChange) {
 
 TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const GroundSource& ground = scene->picture.ground;
     EXPECT_EQ(ground.heights->extent(), glm::vec2(80.0f, 40.0f));
@@ -120,8 +120,8 @@ TEST(PictureReader, LevelGroundHasSquareTexelsThatFitItsSides) {
 
 TEST(PictureReader, MaskIsItsFileOrEvenAndThenItsStrokes) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const grass::PlacementMask& painted = *scene->picture.grass[0].mask.mask;
     auto wanted = grass::PlacementMask::create({33, 17}, {80.0f, 40.0f}, 0.5f);
@@ -139,8 +139,8 @@ TEST(PictureReader, MaskIsItsFileOrEvenAndThenItsStrokes) {
 
 TEST(PictureReader, CameraMovesOnItsPathAboveTheGround) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const render::Camera eye = camera_at(*scene, 2.0);
     EXPECT_EQ(eye.position.x, 3.0);

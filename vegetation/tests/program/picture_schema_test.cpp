@@ -58,8 +58,8 @@ TEST(PictureSchema, IsMadeOfTheReadersKeys) {
 
 TEST(PictureSchema, EveryObjectRejectsUnknownKeys) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const json specimen = json::parse(test::k_specimen);
+    test::write_sample_files(folder);
+    const json specimen = json::parse(test::k_sample_values);
     const json flat = specimen["picture"].flatten();
     std::vector<std::string> pointers = {"/picture"};
     for (const auto& [pointer, value] : flat.items())
@@ -84,16 +84,16 @@ TEST(PictureSchema, SpecimenAndWhatIsWrittenKeepIt) {
     if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0)
         FAIL() << "python3-jsonschema is not installed: ./dev setup does it";
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
-    json whole = json::parse(test::k_specimen), defaults = json::object(), wrong = whole;
+    json whole = json::parse(test::k_sample_values), defaults = json::object(), wrong = whole;
     whole["picture"] = write_picture(*scene);
     const auto plain = read_picture_scene_text("{}", "a.json");
     ASSERT_TRUE(plain) << plain.error();
     defaults["picture"] = write_picture(*plain);
     wrong["picture"]["grass"][0]["look"]["glos"] = 1;
-    folder.write("specimen.json", test::k_specimen);
+    folder.write("specimen.json", test::k_sample_values);
     folder.write("whole.json", whole.dump());
     folder.write("defaults.json", defaults.dump());
     folder.write("wrong.json", wrong.dump());

@@ -12,15 +12,15 @@ using test::Folder;
 
 /// A scene whose picture is this, in the specimen's air.
 std::string with_picture(json picture) {
-    json document = json::parse(test::k_specimen);
+    json document = json::parse(test::k_sample_values);
     document["picture"] = std::move(picture);
     return document.dump(4);
 }
 
 TEST(PictureWriter, FileThatSaysEverythingComesBackIdentical) {
     const Folder folder;
-    test::write_specimen_files(folder);
-    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    test::write_sample_files(folder);
+    const auto scene = read_picture_scene_text(test::k_sample_values, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     ASSERT_FALSE(scene->air.obstacles.empty()) << "the ground is in the air";
     const windrow::Obstacle& body = scene->air.obstacles.back().obstacle;
@@ -28,7 +28,7 @@ TEST(PictureWriter, FileThatSaysEverythingComesBackIdentical) {
     ASSERT_TRUE(std::holds_alternative<windrow::Ground>(body.shape));
     EXPECT_EQ(*std::get<windrow::Ground>(body.shape).heights, *scene->picture.ground.heights);
     // The second layer and walker say little; what is written says all, so it is compared after one more round.
-    const json given = json::parse(test::k_specimen)["picture"], first = write_picture(*scene);
+    const json given = json::parse(test::k_sample_values)["picture"], first = write_picture(*scene);
     for (const auto& [key, value] : given.items()) {
         if (key != "grass" && key != "walkers" && key != "bodies") {
             EXPECT_EQ(value, first[key]) << key;
@@ -66,7 +66,7 @@ TEST(PictureWriter, SpecimenSaysSomethingElseThanEachDefault) {
             "lamps": [{}], "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})",
         "a.json");
     ASSERT_TRUE(plain) << plain.error();
-    const json defaults = write_picture(*plain), given = json::parse(test::k_specimen)["picture"];
+    const json defaults = write_picture(*plain), given = json::parse(test::k_sample_values)["picture"];
     const json flat = defaults.flatten();
     for (const auto& [pointer, value] : flat.items()) {
         // A vector may keep one of its three.

@@ -48,14 +48,14 @@ class Folder {
     std::filesystem::path path_;
 };
 
-/// With the files that k_specimen names: 9 x 5 heights that rise along x, and a mask.
-inline void write_specimen_files(const Folder& folder) {
+/// With the files that k_sample_values names: 9 x 5 heights that rise along x, and a mask.
+inline void write_sample_files(const Folder& folder) {
     folder.write_pgm("hills.pgm", 9, 5, [](int column, int) { return column * 65535 / 8; });
     folder.write_pgm("paths.pgm", 4, 4, [](int, int row) { return row < 2 ? 65535 : 0; });
 }
 
 /// Two layers, so that a mask's file and its own keys both stand; two walkers, for the same reason; a body of each kind of mesh.
-inline constexpr const char* k_specimen = R"({
+inline constexpr const char* k_sample_values = R"({
     "duration": 5,
     "paths": {"eye": {"points": [[0, 1, 1.5, 2], [4, 5, 1.5, 2]]}, "sight": {"points": [[0, 1, 1, -20]]}},
     "obstacles": [{"name": "house"}],

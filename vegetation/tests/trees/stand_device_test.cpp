@@ -142,7 +142,7 @@ TEST(TreeStand, TheFrameBeforeIsTheFrameThatWas) {
             moved = std::max(moved, static_cast<double>(glm::length(glm::vec3(stage.probe->now(n)) - glm::vec3(last[n]))));
         }
         const std::string figure = springs ? "trees/before/springs" : "trees/before/still";
-        WINDROW_EXPECT_FIGURE(figure, apart, 2e-5); // [m] the same text on the same numbers, but where the wind is sampled anew
+        WINDROW_EXPECT_FIGURE(figure, apart, 2e-5); // [m] the same text on the same numbers, but where the wind is sampled again
         EXPECT_GT(windrow::test::figure(figure + "/moved", moved), 1e-3);
     }
 }

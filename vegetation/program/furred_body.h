@@ -1,8 +1,8 @@
 // The bodies of a scene as they are drawn: mesh, skeleton and coats, moved frame by frame.
 //
-//     auto dressed = DressedBodies::create(device, renderer->draw_targets(), scene, anchor);
-//     dressed->add_to(*renderer);
-//     (void)dressed->move(now, now - before);         // before each frame that is recorded, and each that keeps up
+//     auto furred = FurredBodies::create(device, renderer->draw_targets(), scene, anchor);
+//     furred->add_to(*renderer);
+//     (void)furred->move(now, now - before);         // before each frame that is recorded, and each that keeps up
 #pragma once
 
 #include "vegetation/fur/coat.h"
@@ -34,11 +34,11 @@ struct BodyModel {
 /// The feet of the first fur::k_max_feet walkers, on the ground or as high above it as they jump.
 [[nodiscard]] std::vector<fur::Foot> feet_of(const PictureScene& scene, double time);
 
-class DressedBodies {
+class FurredBodies {
   public:
     /// All bodies where they are at time 0. Rejects what any part rejects, with the body's name. The scene outlives it.
-    [[nodiscard]] static windrow::Result<DressedBodies> create(engine::Device& device, const render::DrawTargets& targets,
-                                                               const PictureScene& scene, glm::dvec3 anchor);
+    [[nodiscard]] static windrow::Result<FurredBodies> create(engine::Device& device, const render::DrawTargets& targets,
+                                                              const PictureScene& scene, glm::dvec3 anchor);
 
     void add_to(render::Renderer& renderer);
     /// All bodies are where they are at `time` [s], `seconds` after the last call; 0: they are there. The wind that they feel
@@ -46,23 +46,23 @@ class DressedBodies {
     windrow::Result<void> move(double time, double seconds);
     /// What keeps up in frames that are not drawn.
     void append_to(std::vector<render::Drawable*>& drawables) const;
-    [[nodiscard]] bool empty() const { return dressed_.empty(); }
+    [[nodiscard]] bool empty() const { return furred_.empty(); }
     /// Coats of all bodies, in the scene's order.
     [[nodiscard]] std::vector<const fur::Coat*> coats() const;
 
   private:
-    struct Dressed {
+    struct Furred {
         const Body* body;
         BodyModel model;
         std::vector<std::unique_ptr<fur::Coat>> coats;
     };
-    explicit DressedBodies(const PictureScene& scene) : scene_(&scene), inputs_(scene.inputs) {}
+    explicit FurredBodies(const PictureScene& scene) : scene_(&scene), inputs_(scene.inputs) {}
     windrow::Result<void> dress(engine::Device& device, const render::DrawTargets& targets, const Body& body, glm::dvec3 anchor);
-    windrow::Result<void> move(const Dressed& dressed, double time, double seconds);
+    windrow::Result<void> move(const Furred& furred, double time, double seconds);
 
     const PictureScene* scene_;
     windrow::detail::InputBudget inputs_; ///< what the scene's own reading has left
-    std::vector<Dressed> dressed_{};
+    std::vector<Furred> furred_{};
     double time_ = 0.0; ///< [s] of the last call
 };
 

@@ -1,9 +1,9 @@
 // A scene before the camera: the device, the air, the ground's memory and all that is drawn, frame by frame.
 //
-//     auto shoot = program::Shoot::create(*scene, {});
-//     if (auto ready = (*shoot)->warm_up(); !ready) ...                            // gusts come in
-//     while ((*shoot)->frame() < scene->frame_count())
-//         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
+//     auto scene_renderer = program::SceneRenderer::create(*scene, {});
+//     if (auto ready = (*scene_renderer)->warm_up(); !ready) ...                            // gusts come in
+//     while ((*scene_renderer)->frame() < scene->frame_count())
+//         if (auto drawn = (*scene_renderer)->draw(); drawn) write_png((*scene_renderer)->images().picture(), ...);
 //
 // A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer.
 // The air runs the scene's fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
@@ -14,8 +14,8 @@
 #include "coupling/vulkan/ground_memory.h"
 #include "scene/scene_air.h"
 #include "vegetation/program/air.h"
-#include "vegetation/program/dressed_body.h"
 #include "vegetation/program/figures.h"
+#include "vegetation/program/furred_body.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/bodies.h"
 #include "vegetation/render/grass_layer.h"
@@ -35,7 +35,7 @@ namespace windrow::vegetation::program {
 /// What the picture shows in place of, or beside, its plants' own colours.
 enum class Show { plants, streaks, arrows, slice, lean, levels, chunks };
 
-struct ShootSettings {
+struct SceneRendererSettings {
     std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
     std::optional<double> frames_per_second{}; ///< default: the scene's
     std::optional<double> warm_up{};           ///< [s] of wind before the first picture; default: the scene's
@@ -51,17 +51,18 @@ struct ShootSettings {
 };
 
 /// Device memory by what it is for, [bytes].
-struct ShootMemory {
+struct SceneRendererMemory {
     /// Pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: allocations of the engine.
     std::uint64_t targets = 0;
     std::uint64_t wind = 0, grass = 0, ground_memory = 0;
     std::uint64_t room = 0; ///< left in the blocks that all of them take from the driver
 };
 
-class Shoot {
+class SceneRenderer {
   public:
     /// Rejects what any part rejects. The scene outlives it.
-    [[nodiscard]] static windrow::Result<std::unique_ptr<Shoot>> create(const PictureScene& scene, const ShootSettings& settings);
+    [[nodiscard]] static windrow::Result<std::unique_ptr<SceneRenderer>> create(const PictureScene& scene,
+                                                                                const SceneRendererSettings& settings);
 
     /// The air before the first picture, Picture::warm_up seconds of it, with all that acts at time 0.
     windrow::Result<void> warm_up();
@@ -79,15 +80,15 @@ class Shoot {
     /// By the device's clock, of the frame drawn last, and with what the CPU took for the wind; empty where the device counts no
     /// time.
     [[nodiscard]] std::vector<render::StageTime> times() const;
-    /// Of the frame drawn last; zeros where the device counts nothing, or without ShootSettings::counts.
+    /// Of the frame drawn last; zeros where the device counts nothing, or without SceneRendererSettings::counts.
     [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
     [[nodiscard]] const Air& air() const { return *air_; }
     [[nodiscard]] const std::string& device() const { return device_->name(); }
-    [[nodiscard]] ShootMemory memory() const;
+    [[nodiscard]] SceneRendererMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
 
   private:
-    Shoot(const PictureScene& scene, const ShootSettings& settings);
+    SceneRenderer(const PictureScene& scene, const SceneRendererSettings& settings);
     windrow::Result<void> make();
     windrow::Result<void> make_grass(const render::DrawTargets& targets);
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
@@ -112,7 +113,7 @@ class Shoot {
     [[nodiscard]] double end_of(std::int64_t n) const { return static_cast<double>(n) / frames_per_second_; }
 
     const PictureScene& scene_;
-    ShootSettings settings_;
+    SceneRendererSettings settings_;
     double frames_per_second_ = 30.0;
     glm::ivec2 size_{0};
     glm::dvec3 anchor_{0.0};
@@ -123,7 +124,7 @@ class Shoot {
     std::unique_ptr<render::Renderer> renderer_{};
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
-    std::optional<DressedBodies> dressed_{};
+    std::optional<FurredBodies> furred_{};
     std::optional<Figures> figures_{};
     std::unique_ptr<render::Bodies> bodies_{};    ///< fans
     std::unique_ptr<render::Bodies> obstacles_{}; ///< those at rest are the first body

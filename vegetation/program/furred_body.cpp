@@ -1,4 +1,4 @@
-#include "vegetation/program/dressed_body.h"
+#include "vegetation/program/furred_body.h"
 
 #include "vegetation/files/coat_picture_files.h"
 
@@ -96,23 +96,23 @@ glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time) {
     return time * glm::dvec2(speed.x, speed.z);
 }
 
-Result<DressedBodies> DressedBodies::create(engine::Device& device, const render::DrawTargets& targets, const PictureScene& scene,
-                                            glm::dvec3 anchor) {
-    DressedBodies made(scene);
+Result<FurredBodies> FurredBodies::create(engine::Device& device, const render::DrawTargets& targets, const PictureScene& scene,
+                                          glm::dvec3 anchor) {
+    FurredBodies made(scene);
     for (const Body& body : scene.picture.bodies)
-        if (auto dressed = made.dress(device, targets, body, anchor); !dressed)
-            return Error{"$.picture.bodies, " + body.name + ": " + dressed.error()};
+        if (auto furred = made.dress(device, targets, body, anchor); !furred)
+            return Error{"$.picture.bodies, " + body.name + ": " + furred.error()};
     return made;
 }
 
-Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body,
-                                  glm::dvec3 anchor) {
+Result<void> FurredBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body,
+                                 glm::dvec3 anchor) {
     auto model = model_of(*scene_, body, inputs_);
     if (!model)
         return Error{model.error()};
-    Dressed dressed{.body = &body, .model = *std::move(model), .coats = {}};
+    Furred furred{.body = &body, .model = *std::move(model), .coats = {}};
     for (const BodyCoat& worn : body.coats) {
-        const auto parts = parts_of(dressed.model.mesh, worn);
+        const auto parts = parts_of(furred.model.mesh, worn);
         if (!parts)
             return Error{parts.error()};
         std::optional<fur::FurLine> fur;
@@ -123,47 +123,47 @@ Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTarg
         const auto pictures = fur::read_pictures(settings.maps, scene_->air.file.parent_path(), inputs_);
         if (!pictures)
             return Error{pictures.error()};
-        auto coat = fur::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,
+        auto coat = fur::Coat::create(device, targets, furred.model.mesh, *parts, settings, *pictures,
                                       pose_of(*scene_, body, 0.0), anchor);
         if (!coat)
             return Error{coat.error()};
         if (auto lit = (*coat)->set_lamps(scene_->picture.lamps); !lit)
             return lit;
-        dressed.coats.push_back(*std::move(coat));
+        furred.coats.push_back(*std::move(coat));
     }
-    dressed_.push_back(std::move(dressed));
-    return move(dressed_.back(), 0.0, 0.0);
+    furred_.push_back(std::move(furred));
+    return move(furred_.back(), 0.0, 0.0);
 }
 
-void DressedBodies::add_to(render::Renderer& renderer) {
-    for (const Dressed& dressed : dressed_)
-        for (const auto& coat : dressed.coats)
+void FurredBodies::add_to(render::Renderer& renderer) {
+    for (const Furred& furred : furred_)
+        for (const auto& coat : furred.coats)
             renderer.add(*coat);
 }
 
-Result<void> DressedBodies::move(const Dressed& dressed, double time, double seconds) {
-    const std::vector<glm::mat4> bones = bones_of(*dressed.body, dressed.model, time);
+Result<void> FurredBodies::move(const Furred& furred, double time, double seconds) {
+    const std::vector<glm::mat4> bones = bones_of(*furred.body, furred.model, time);
     fur::CoatAhead ahead;
-    ahead.body = pose_of(*scene_, *dressed.body, time + ahead.seconds);
-    const std::vector<glm::mat4> bones_ahead = bones_of(*dressed.body, dressed.model, time + ahead.seconds);
+    ahead.body = pose_of(*scene_, *furred.body, time + ahead.seconds);
+    const std::vector<glm::mat4> bones_ahead = bones_of(*furred.body, furred.model, time + ahead.seconds);
     ahead.bones = bones_ahead;
-    for (const auto& coat : dressed.coats) {
+    for (const auto& coat : furred.coats) {
         const int steps =
             coat->settings().inertia ? std::max(1, static_cast<int>(std::ceil(seconds / k_longest_step - 1e-6))) : 1;
         if (std::abs(time - seconds - time_) > 1e-9) // begins elsewhere: tips rest there
-            if (auto placed = coat->move(0.0, pose_of(*scene_, *dressed.body, time - seconds)); !placed)
-                return Error{"$.picture.bodies, " + dressed.body->name + ": " + placed.error()};
+            if (auto placed = coat->move(0.0, pose_of(*scene_, *furred.body, time - seconds)); !placed)
+                return Error{"$.picture.bodies, " + furred.body->name + ": " + placed.error()};
         for (int step = 1; step <= steps; ++step) {
             const bool last = step == steps;
             const double at = last ? time : time - seconds * (steps - step) / steps;
-            const auto moved = last ? coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at), bones, ahead)
-                                    : coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at));
+            const auto moved = last ? coat->move(seconds / steps, pose_of(*scene_, *furred.body, at), bones, ahead)
+                                    : coat->move(seconds / steps, pose_of(*scene_, *furred.body, at));
             if (!moved)
-                return Error{"$.picture.bodies, " + dressed.body->name + ": " + moved.error()};
+                return Error{"$.picture.bodies, " + furred.body->name + ": " + moved.error()};
         }
         coat->set_time(time);
         if (coat->settings().drifts)
-            coat->drift(drift_of(*scene_, *dressed.body, time));
+            coat->drift(drift_of(*scene_, *furred.body, time));
     }
     return {};
 }
@@ -182,29 +182,29 @@ std::vector<fur::Foot> feet_of(const PictureScene& scene, double time) {
     return feet;
 }
 
-Result<void> DressedBodies::move(double time, double seconds) {
+Result<void> FurredBodies::move(double time, double seconds) {
     const std::vector<fur::Foot> feet = feet_of(*scene_, time);
-    for (const Dressed& dressed : dressed_)
-        for (const auto& coat : dressed.coats)
+    for (const Furred& furred : furred_)
+        for (const auto& coat : furred.coats)
             if (auto felt = coat->set_feet(feet); !felt)
                 return Error{"$.picture.walkers: " + felt.error()};
-    for (const Dressed& dressed : dressed_)
-        if (auto moved = seconds > 0.0 ? move(dressed, time, seconds) : Result<void>{}; !moved) // else they are there already
+    for (const Furred& furred : furred_)
+        if (auto moved = seconds > 0.0 ? move(furred, time, seconds) : Result<void>{}; !moved) // else they are there already
             return moved;
     time_ = time;
     return {};
 }
 
-void DressedBodies::append_to(std::vector<render::Drawable*>& drawables) const {
-    for (const Dressed& dressed : dressed_)
-        for (const auto& coat : dressed.coats)
+void FurredBodies::append_to(std::vector<render::Drawable*>& drawables) const {
+    for (const Furred& furred : furred_)
+        for (const auto& coat : furred.coats)
             drawables.push_back(coat.get());
 }
 
-std::vector<const fur::Coat*> DressedBodies::coats() const {
+std::vector<const fur::Coat*> FurredBodies::coats() const {
     std::vector<const fur::Coat*> all;
-    for (const Dressed& dressed : dressed_)
-        for (const auto& coat : dressed.coats)
+    for (const Furred& furred : furred_)
+        for (const auto& coat : furred.coats)
             all.push_back(coat.get());
     return all;
 }

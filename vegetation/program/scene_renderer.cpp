@@ -1,4 +1,4 @@
-#include "vegetation/program/shoot.h"
+#include "vegetation/program/scene_renderer.h"
 
 #include "fluid/core/message.h"
 
@@ -22,19 +22,19 @@ glm::mat4 placed_at(const windrow::Obstacle& obstacle, glm::dvec3 anchor) {
 
 } // namespace
 
-Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
+SceneRenderer::SceneRenderer(const PictureScene& scene, const SceneRendererSettings& settings)
     : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
       size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
       scene_air_(scene.air) {}
 
-Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const ShootSettings& settings) {
-    std::unique_ptr<Shoot> made(new Shoot(scene, settings));
+Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const PictureScene& scene, const SceneRendererSettings& settings) {
+    std::unique_ptr<SceneRenderer> made(new SceneRenderer(scene, settings));
     if (auto ready = made->make(); !ready)
         return Error{scene.air.file.string() + ": " + ready.error()};
     return made;
 }
 
-Result<void> Shoot::make() {
+Result<void> SceneRenderer::make() {
     auto device = engine::Device::create({.staged = settings_.staged});
     if (!device)
         return Error{device.error()};
@@ -98,11 +98,11 @@ Result<void> Shoot::make() {
         return grown;
     if (auto grown = make_trees(targets); !grown)
         return grown;
-    auto dressed = DressedBodies::create(*device_, targets, scene_, anchor_);
-    if (!dressed)
-        return Error{dressed.error()};
-    dressed_ = *std::move(dressed);
-    dressed_->add_to(*renderer_);
+    auto furred = FurredBodies::create(*device_, targets, scene_, anchor_);
+    if (!furred)
+        return Error{furred.error()};
+    furred_ = *std::move(furred);
+    furred_->add_to(*renderer_);
     auto figures = Figures::create(*device_, targets, scene_, anchor_);
     if (!figures)
         return Error{figures.error()};
@@ -121,7 +121,7 @@ Result<void> Shoot::make() {
     return {};
 }
 
-Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassSource& layer : scene_.picture.grass) {
         render::GrassLayerSettings drawn = layer.drawn;
@@ -137,7 +137,7 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     return {};
 }
 
-Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
     const auto height = [&](double x, double z) { return scene_.picture.ground.height(x, z); };
     for (const StandSource& stand : scene_.picture.trees) {
         auto kind = trees::preset(stand.kind);
@@ -166,7 +166,7 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
     return {};
 }
 
-Result<void> Shoot::make_bodies(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_bodies(const render::DrawTargets& targets) {
     std::vector<render::Solid> shapes;
     for (const Fan& fan : scene_.picture.fans) {
         const double above = fan.position.y - scene_.picture.ground.height(fan.position.x, fan.position.z);
@@ -183,7 +183,7 @@ Result<void> Shoot::make_bodies(const render::DrawTargets& targets) {
     return {};
 }
 
-void Shoot::place_bodies(double time) {
+void SceneRenderer::place_bodies(double time) {
     figures_->place();
     if (!bodies_)
         return;
@@ -201,7 +201,7 @@ void Shoot::place_bodies(double time) {
     }
 }
 
-Result<void> Shoot::make_obstacles(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
     const auto& obstacles = scene_.air.obstacles;
     const auto& looks = scene_.picture.obstacles;
     std::vector<render::Solid> shapes{{}};
@@ -230,7 +230,7 @@ Result<void> Shoot::make_obstacles(const render::DrawTargets& targets) {
     return {};
 }
 
-void Shoot::place_obstacles(double time) {
+void SceneRenderer::place_obstacles(double time) {
     if (!obstacles_)
         return;
     const auto standing = scene_air_.standing(time);
@@ -243,7 +243,7 @@ void Shoot::place_obstacles(double time) {
     }
 }
 
-Result<void> Shoot::make_views(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_views(const render::DrawTargets& targets) {
     switch (settings_.show) {
     case Show::lean:
         renderer_->show(render::GrassView::lean);
@@ -278,7 +278,7 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     return {};
 }
 
-Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
+Result<void> SceneRenderer::make_streaks(const render::DrawTargets& targets) {
     const windrow::Box box = air_->control().box();
     const render::StreakBox held{air_->control().origin(), glm::dvec3(box.size())};
     auto made = render::WindStreaks::create(*device_, targets, {}, held);
@@ -289,12 +289,12 @@ Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
     return {};
 }
 
-void Shoot::move_figures(double time, double seconds) {
+void SceneRenderer::move_figures(double time, double seconds) {
     figures_->move(time, seconds,
                    [&](glm::dvec3 place) { return settings_.wind ? air_->reader().velocity(place) : glm::vec3(0.0f); });
 }
 
-void Shoot::move_streaks(double time, double seconds) {
+void SceneRenderer::move_streaks(double time, double seconds) {
     if (!streaks_)
         return;
     const auto standing = scene_air_.standing(time);
@@ -307,7 +307,7 @@ void Shoot::move_streaks(double time, double seconds) {
     streaks_->advance(seconds, velocity, blocked);
 }
 
-Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
+Result<void> SceneRenderer::walk(const engine::Frame& frame, double start, double end) {
     if (!ground_)
         return {};
     std::vector<windrow::GroundWalker> walkers;
@@ -319,11 +319,11 @@ Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
     return ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
 }
 
-Result<void> Shoot::record_air(const engine::Frame& frame, double dt) {
+Result<void> SceneRenderer::record_air(const engine::Frame& frame, double dt) {
     return air_->record(frame, settings_.wind ? dt : 0.0);
 }
 
-Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
+Result<void> SceneRenderer::blow(const engine::Frame& frame, double start, double end) {
     if (settings_.wind)
         if (auto placed = scene_air_.advance_to(air_->control(), end); !placed)
             return placed;
@@ -332,23 +332,23 @@ Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
     return walk(frame, start, end);
 }
 
-void Shoot::set_time_step(double seconds) {
+void SceneRenderer::set_time_step(double seconds) {
     for (const auto& stand : trees_)
         stand->set_time_step(seconds);
     for (const auto& layer : grass_)
         layer->set_time_step(seconds);
 }
 
-Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
+Result<void> SceneRenderer::swing(const engine::Frame& frame, double time, double seconds) {
     move_streaks(time, seconds);
     move_figures(time, seconds);
-    if (trees_.empty() && grass_.empty() && dressed_->empty())
+    if (trees_.empty() && grass_.empty() && furred_->empty())
         return {};
     set_time_step(seconds);
-    if (auto moved = dressed_->move(time, seconds); !moved)
+    if (auto moved = furred_->move(time, seconds); !moved)
         return moved;
     std::vector<render::Drawable*> swinging;
-    dressed_->append_to(swinging);
+    furred_->append_to(swinging);
     for (const auto& stand : trees_)
         swinging.push_back(stand.get());
     for (const auto& layer : grass_)
@@ -356,7 +356,7 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
     return renderer_->keep_up(frame, camera_at(scene_, time), air_->sampled(), swinging);
 }
 
-Result<void> Shoot::warm_up() {
+Result<void> SceneRenderer::warm_up() {
     const auto step = [&](double dt, std::int64_t left) -> Result<void> {
         const auto frame = frames_->begin();
         if (!frame)
@@ -376,7 +376,7 @@ Result<void> Shoot::warm_up() {
     return frames_->wait();
 }
 
-Result<void> Shoot::skip() {
+Result<void> SceneRenderer::skip() {
     const auto frame = frames_->begin();
     if (!frame)
         return Error{frame.error()};
@@ -388,7 +388,7 @@ Result<void> Shoot::skip() {
     return blown ? submitted : blown;
 }
 
-Result<void> Shoot::draw(bool copied) {
+Result<void> SceneRenderer::draw(bool copied) {
     const double now = end_of(frame_);
     const auto begun = frames_->begin();
     if (!begun)
@@ -405,7 +405,7 @@ Result<void> Shoot::draw(bool copied) {
         set_time_step(now - start_of(frame_));
         if (arrows_)
             arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));
-        done = dressed_->move(now, now - start_of(frame_));
+        done = furred_->move(now, now - start_of(frame_));
     }
     if (done) {
         done = renderer_->record(frame, camera_at(scene_, now), air_->sampled());
@@ -421,15 +421,15 @@ Result<void> Shoot::draw(bool copied) {
     return done;
 }
 
-std::vector<render::StageTime> Shoot::times() const {
+std::vector<render::StageTime> SceneRenderer::times() const {
     std::vector<render::StageTime> times = renderer_->clock().times();
     if (!times.empty())
         times.front().us += air_->cpu_us(); // "wind"
     return times;
 }
 
-ShootMemory Shoot::memory() const {
-    ShootMemory sum{.targets = device_->memory_bytes(), .wind = air_->memory_bytes()};
+SceneRendererMemory SceneRenderer::memory() const {
+    SceneRendererMemory sum{.targets = device_->memory_bytes(), .wind = air_->memory_bytes()};
     sum.room = air_->reserved_bytes() - sum.wind + device_->reserved_bytes() - sum.targets;
     if (air_->backend() == Backend::cpu) // its textures are the device's own
         sum.targets -= sum.wind;
