@@ -41,6 +41,11 @@
     static_assert(detail::member_count<cpp>() == std::tuple_size_v<decltype(Fields<c>::list())> + (others), "a member has no "   \
                                                                                                             "row")
 #define WINDROW_C_STRUCT(c, cpp, ...) WINDROW_C_STRUCT_BUT(0, c, cpp, __VA_ARGS__)
+/// The init function of a struct.
+#define WINDROW_C_INIT(c)                                                                                                        \
+    WINDROW_EXPORT windrow_result c##_init(c* value, uint32_t struct_size) {                                                     \
+        return windrow::c_api::init(value, struct_size);                                                                         \
+    }
 
 namespace windrow::c_api {
 
