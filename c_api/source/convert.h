@@ -2,9 +2,10 @@
 //
 //     WINDROW_C_STRUCT(windrow_canopy, windrow::Canopy, height, drag);
 //
-// A member of the C++ struct without a row does not compile; WINDROW_C_STRUCT_BUT counts those that convert_rest.h converts by hand. A struct
-// with `struct_size` is one that may grow: what an older host does not have gets its default, what a newer host sets and this
-// library cannot use is rejected.
+// `./dev schema` writes the rows of structs that have a table of settings (tools/make_bindings.py). A member of the C++ struct without
+// a row does not compile; WINDROW_C_STRUCT_BUT counts those that read_rest and write_rest convert by hand. A struct with `struct_size`
+// is one that may grow: what an older host does not have gets its default, what a newer host sets and this library cannot use is
+// rejected.
 #pragma once
 
 #include "c_api/source/guard.h"
