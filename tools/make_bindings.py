@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_bindings.py [--check]: the C interface from the tables of settings, c_api/tables.json. `./dev schema` runs it.
+"""make_bindings.py [--check]: the C interface and its mirrors from the tables of settings, c_api/tables.json. `./dev schema` runs it.
 
 A comment in a header of c_api, before a struct or a choice, names the struct or the enumeration of C++ that it is made from:
 
@@ -8,7 +8,7 @@ A comment in a header of c_api, before a struct or a choice, names the struct or
 
 A row of the table that the C struct lacks becomes a field at its end; the comments of fields are those of the rows. Fields keep their
 order for good, since it is the binary interface. "by hand: NAME, NAME" lists rows and fields that are left alone: what C has in
-another form. From the headers follow the lists of fields in c_api/source.
+another form. From the headers follow the lists of fields in c_api/source, and the mirrors in Python, C# and Rust (mirrors.py).
 --check writes nothing and names the files that differ.
 """
 import argparse
@@ -19,6 +19,7 @@ import re
 import sys
 import textwrap
 
+import mirrors
 from c_header import Header, common, fields_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -232,6 +233,8 @@ def made_files(root, tables=None):
     for name, parts in LISTS.items():
         path = root / "c_api/source" / name
         files[path] = between(path.read_text(encoding="utf-8"), interface.lists(parts), name)
+    for name, text in mirrors.mirrors(interface.parsed).items():
+        files[root / "examples" / name] = text
     return files
 
 

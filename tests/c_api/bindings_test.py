@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""bindings_test.py ROOT: the C interface is what the tables give, and a new setting reaches it."""
+"""bindings_test.py ROOT --compiler CC: the C interface and its mirrors are what the tables give, and a new setting reaches all of them.
+
+The mirror in Python is laid out as a C compiler lays out the headers; languages_test.py compares C# with it, and Rust has asserts.
+"""
 import json
 import pathlib
 import shutil
@@ -9,10 +12,12 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "examples" / "python")]
 import make_bindings
 from c_header import Header
+from mirrors import mirrors, title
 
+COMPILER = "cc"
 LAG = {"name": "lag", "type": "float", "meaning": "Lag of the air.", "unit": "s", "range": "0 to 9", "default": 0.5}
 FIELD = "    /* [s] 0 to 9, default 0.5. Lag of the air. */\n    float lag;\n"
 HEADER = """/* Made by ./dev schema from Form. */
@@ -81,6 +86,10 @@ class Headers(unittest.TestCase):
         changed["choices"]["Form"].append("bent")
         made = make_bindings.Interface(changed, {"base.h": HEADER})
         self.assertIn("enum { WINDROW_FORM_ROUND = 0, WINDROW_FORM_FLAT = 1, WINDROW_FORM_BENT = 2 };", made.headers["base.h"])
+        said = mirrors(made.parsed)
+        for path, value in (("python/windrow_c/air.py", "FORM_BENT = 2"), ("csharp/windrow_c/Air.cs", "Bent = 2"),
+                            ("rust/windrow_c/air.rs", "pub const FORM_BENT: Form = 2;")):
+            self.assertIn(value, said[path])
 
     def test_what_would_break_the_interface_is_rejected(self):
         self.assertIn("windrow_candle.height has no row", self.fault(lambda changed: changed["structs"]["Candle"].pop()))
@@ -92,12 +101,14 @@ class Headers(unittest.TestCase):
 
 
 class Bindings(unittest.TestCase):
-    def test_a_new_setting_reaches_the_interface(self):
+    def test_a_new_setting_reaches_the_interface_and_each_mirror(self):
         said = json.loads((ROOT / "c_api/tables.json").read_text(encoding="utf-8"))
         said["structs"]["Config"].insert(1, LAG)
         made = {path.relative_to(ROOT).as_posix(): text for path, text in make_bindings.made_files(ROOT, said).items()}
         changed = {path: text for path, text in made.items() if (ROOT / path).read_text(encoding="utf-8") != text}
-        for path, there in (("c_api/config.h", FIELD), ("c_api/source/tables.h", "Config, cells, lag, cell_size,")):
+        for path, there in (("c_api/config.h", FIELD), ("c_api/source/tables.h", "Config, cells, lag, cell_size,"),
+                            ("examples/python/windrow_c/air.py", '("lag", c.c_float)'),
+                            ("examples/csharp/windrow_c/Air.cs", "Lag"), ("examples/rust/windrow_c/air.rs", "pub lag: f32,")):
             self.assertIn(there, changed.pop(path))
         self.assertEqual(changed, {})
         config = Header(ROOT / "c_api").structs["windrow_config"]
@@ -108,11 +119,15 @@ class Bindings(unittest.TestCase):
     def test_a_file_that_differs_is_named(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            shutil.copytree(ROOT / "c_api", root / "c_api")
+            for name in ("c_api", "examples/python", "examples/csharp", "examples/rust"):
+                shutil.copytree(ROOT / name, root / name)
             command = [sys.executable, "-B", ROOT / "tools/make_bindings.py", "--root", root, "--check"]
             done = subprocess.run(command, capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout + done.stderr), (0, ""))  # of the committed files too
-            for name, old, new in (("c_api/config.h", "/* [m", "/* [k"), ("c_api/source/tables.h", "(windrow_", "( windrow_")):
+            for name, old, new in (("c_api/config.h", "/* [m", "/* [k"), ("c_api/source/tables.h", "(windrow_", "( windrow_"),
+                                   ("examples/rust/windrow_c/air.rs", "pub struct", "struct"),
+                                   ("examples/csharp/windrow_c/Bodies.cs", "float", "double"),
+                                   ("examples/python/windrow_c/air.py", "c_float", "c_double")):
                 text = (root / name).read_text(encoding="utf-8")
                 self.assertIn(old, text, name)
                 (root / name).write_text(text.replace(old, new, 1), encoding="utf-8")
@@ -122,6 +137,30 @@ class Bindings(unittest.TestCase):
                 (root / name).write_text(text, encoding="utf-8")
 
 
+class Layout(unittest.TestCase):
+    def test_python_is_laid_out_as_c(self):
+        import windrow_c
+        structs = Header(ROOT / "c_api").structs
+        lines = [f'printf("{name} %lu\\n", (unsigned long)sizeof({name}));' for name in structs]
+        lines += [f'printf("{name}.{field} %lu\\n", (unsigned long)offsetof({name}, {field}));'
+                  for name, fields in structs.items() for _, field, _ in fields]
+        with tempfile.TemporaryDirectory() as folder:
+            source, program = pathlib.Path(folder) / "layout.c", pathlib.Path(folder) / "layout"
+            text = '#include "c_api/windrow.h"\n#include <stdio.h>\nint main(void) {\n' + "\n".join(lines) + "\nreturn 0;\n}\n"
+            source.write_text(text, encoding="utf-8")
+            subprocess.run([COMPILER, "-I", ROOT, "-o", program, source], check=True)
+            said = subprocess.run([program], check=True, capture_output=True, text=True).stdout.split()
+        for name, number in zip(said[::2], map(int, said[1::2])):
+            struct, _, field = name.partition(".")
+            mirror = getattr(windrow_c, title(struct))
+            self.assertEqual(getattr(mirror, field).offset if field else windrow_c.air.c.sizeof(mirror), number, name)
+        self.assertGreater(len(said), 2 * 600)
+
+
 if __name__ == "__main__":
+    if "--compiler" in sys.argv:
+        at = sys.argv.index("--compiler")
+        COMPILER = sys.argv[at + 1]
+        del sys.argv[at:at + 2]
     ROOT = pathlib.Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else ROOT
     unittest.main()
