@@ -11,12 +11,19 @@ extern "C" {
 #endif
 
 /* Conversion of the wind to the wind that acts on a plant. */
+/* Made by ./dev schema from Sampling. */
 typedef struct windrow_sampling {
     uint32_t struct_size;
-    float strength;      /* factor on the wind */
-    float limit;         /* [m/s] */
-    float detail;        /* over the local speed; 0: none */
-    float detail_length; /* [m] */
+    /* 0 to 1000, default 1. Factor on the wind; 0: no wind acts. */
+    float strength;
+    /* [m/s] 0 to 1e6, default 60. Upper bound of the speed, after the strength. 60 is the strongest storm. */
+    float limit;
+    /* 0 (none) to 1, default 0. Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a
+       tile (windrow_ambient_wind_tile): without gusts, give windrow_gusts.tile. */
+    float detail;
+    /* [m] 0.001 to 1e6, default 1. Distance from one ripple to the next, rounded so that a whole number of ripples fits a gust
+       (at most its length): then one phase moves both. 1 is what cells of 1 m leave out. */
+    float detail_length;
 } windrow_sampling;
 WINDROW_C_API windrow_result windrow_sampling_init(windrow_sampling* sampling, uint32_t struct_size);
 WINDROW_C_API windrow_result windrow_sampling_validate(const windrow_sampling* sampling);
@@ -28,12 +35,18 @@ WINDROW_C_API void windrow_gust_tile_destroy(windrow_gust_tile* tile);
 WINDROW_C_API const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count);
 
 typedef struct windrow_ambient_wind windrow_ambient_wind;
+/* Made by ./dev schema from AmbientWind::Settings. */
 typedef struct windrow_ambient_settings {
     uint32_t struct_size;
-    windrow_vec3 mean;                  /* [m/s] */
-    const windrow_log_profile* profile; /* null: none */
-    const windrow_gusts* gusts;         /* null: none */
-    double ground;                      /* [m] */
+    /* [m/s] Each component -10000 to 10000, default (0, 0, 0). Mean wind, at the reference height if there is a profile. 0 is
+       still air, which has no gusts either. */
+    windrow_vec3 mean;
+    /* Default none: the same wind at all heights. Null: none. */
+    const windrow_log_profile* profile;
+    /* Default none. Null: the defaults. */
+    const windrow_gusts* gusts;
+    /* [m] -1e12 to 1e12, default 0. World height of the ground: where the profile begins and gusts are mirrored. */
+    double ground;
 } windrow_ambient_settings;
 WINDROW_C_API windrow_result windrow_ambient_settings_init(windrow_ambient_settings* settings, uint32_t struct_size);
 

@@ -12,8 +12,12 @@ extern "C" {
 
 /* --- Springs ------------------------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from SpringClass. */
 typedef struct windrow_spring_class {
-    double frequency_hz; /* [Hz] */
+    /* [Hz] 1e-4 to 1000, default 2.5. Natural frequency without damping. A lower one follows gusts later. */
+    double frequency_hz;
+    /* 0 to 1000, default 0.12. Damping ratio. 0: undamped; below 1: decaying oscillation; 1: critical; above 1: slow return.
+       Crops and trees have 0.12, drag of the leaves included. */
     double damping;
 } windrow_spring_class;
 typedef int32_t windrow_spring_plant;
@@ -47,10 +51,15 @@ WINDROW_C_API windrow_result windrow_swing_steps_make(const windrow_spring_class
                                                       windrow_swing_block* blocks);
 
 /* Class of leaves that oscillate about their stalks (numerics/flutter.glsl). */
+/* Made by ./dev schema from FlutterClass. */
 typedef struct windrow_flutter_class {
-    double frequency_hz; /* [Hz] 1e-4 to 1000; default 6 */
-    float most;          /* [rad] 0 to 1.5; default 0.6 */
-    float onset;         /* [m/s] 0 to 100; default 1.6 */
+    /* [Hz] 1e-4 to 1000, default 6. Of the leaf's torsion; leaves differ by up to 30 %. The default is that of springs::leaf. */
+    double frequency_hz;
+    /* [rad] 0 to 1.5, default 0.6. Largest turn to either side. 0: none. */
+    float most;
+    /* [m/s] 0 to 100, default 1.6. Wind from which on they flutter; 1.6 is where Beaufort's force 2 begins, at which leaves
+       rustle. */
+    float onset;
 } windrow_flutter_class;
 /* A frame of `duration` [s] that ends at `time` [s]. A null class: the default. */
 WINDROW_C_API windrow_result windrow_flutter_step_make(const windrow_flutter_class* flutter, double time, double duration,
@@ -98,10 +107,15 @@ typedef struct windrow_pose {
     windrow_dvec4 rotation; /* quaternion x, y, z, w, of any length but 0 */
     double scale;
 } windrow_pose;
+/* Made by ./dev schema from CascadeConfig. */
 typedef struct windrow_cascade_config {
     uint32_t struct_size;
+    /* 1 to 64, default 10. Number of stages. With more the tip waits and then moves at once, with fewer it drags: its lag
+       spreads by lag / sqrt(stages). 10 is the choice of Bloodelic's stylised fur. */
     int32_t stages;
-    double lag; /* [s] */
+    /* [s] A number above 0, at most 60, default 0.25. Mean delay of the tip; shells lag in proportion to their height. 0.25 is
+       visible and ends within a few frames. */
+    double lag;
 } windrow_cascade_config;
 WINDROW_C_API windrow_result windrow_cascade_config_init(windrow_cascade_config* config, uint32_t struct_size);
 
@@ -124,20 +138,39 @@ WINDROW_C_API windrow_result windrow_cascade_previous_shader_poses(windrow_casca
 
 /* --- Ground memory ------------------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from GroundConfig. */
 typedef struct windrow_ground_config {
     uint32_t struct_size;
+    /* 8 to 512, default 128. Texels along each edge of its square window. 128 are 32 m at 0.25 m, and 1 MB on a device. */
     int32_t texels;
+    /* Spring of the plants, one class for the window. Default: grass. */
     windrow_spring_class spring;
-    float texel_size; /* [m] */
-    float push;       /* [rad] */
+    /* [m] 0.01 to 100, default 0.25. Edge of a texel. At 0.25 a walker's radius covers several; with coarser ones a path looks
+       like beads. */
+    float texel_size;
+    /* [rad] 0 to 2.5, default 1.4. Lean of plants right beside a walker of weight 1. pi/2 is flat, more points down; 1.4 is
+       nearly flat. */
+    float push;
+    /* 0 to 1, default 0.5. Fraction of that lean that stays as a trail. 0: plants rise at once; 1: with trail_time alone. */
     float trail_fraction;
-    float trail_time;   /* [s] */
-    float trample_time; /* [s] */
-    float clearance;    /* [m] */
-    float blend_width;  /* [m] */
-    float max_stride;   /* [m] */
+    /* [s] 0.01 to 1e6, default 20. Time in which a trail falls to 1/e. With 20 it is invisible after a minute. */
+    float trail_time;
+    /* [s] 0.01 to 1e6, default 0.8. Time in which the pressing falls to 1/e, about the time in which a blade rises. Pressed
+       plants do not follow the wind. */
+    float trample_time;
+    /* [m] 0.001 to 100, default 0.4. Height of the feet above which they do not touch plants; 0.4 is knee-high grass. At half
+       of it the weight is half. */
+    float clearance;
+    /* [m] 0.001 to 12800, default 2. Width over which the memory fades to the lean of the wind at the window's edge; at most a
+       quarter of the window. */
+    float blend_width;
+    /* [m] 0.01 to 10000, default 20. Longest way of a walker in a step; a longer one is a teleport and sweeps nothing. 20 is
+       50 m/s at 2.5 frames a second. */
+    float max_stride;
+    /* 1 to 256, default 64. Maximal number of walkers in the window per step. Of more, only the first ones count. */
     int32_t max_walkers;
-    uint32_t reserved; /* 0 */
+    /* 0 */
+    uint32_t reserved;
 } windrow_ground_config;
 WINDROW_C_API windrow_result windrow_ground_config_init(windrow_ground_config* config, uint32_t struct_size);
 

@@ -34,6 +34,7 @@ WINDROW_C_API windrow_vec3 windrow_height_map_normal(const windrow_height_map* m
 
 /* --- Shapes -------------------------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from Shape. */
 typedef int32_t windrow_shape_kind;
 enum {
     WINDROW_SHAPE_SPHERE = 0,
@@ -70,13 +71,20 @@ WINDROW_C_API windrow_shape windrow_shape_ground(const windrow_height_map* heigh
 
 /* --- Obstacles ----------------------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from Surface. */
 typedef int32_t windrow_surface;
 enum { WINDROW_SURFACE_FREE_SLIP = 0, WINDROW_SURFACE_NO_SLIP = 1 };
+/* Made by ./dev schema from Obstacle. */
 typedef struct windrow_obstacle {
     uint32_t struct_size;
+    /* Default WINDROW_SURFACE_FREE_SLIP. free_slip: the air slides along it. At 1 m cells the layer that a wall slows is
+       thinner than a cell. no_slip: the air sticks to it, through the viscosity. */
     windrow_surface surface;
-    windrow_dvec3 position;   /* [m] of the shape's centre */
-    windrow_quat orientation; /* from the shape's own axes to the world's */
+    /* [m] Each component -1e12 to 1e12, default (0, 0, 0). Centre of the shape; the origin of a mesh. */
+    windrow_dvec3 position;
+    /* A finite vector that is not 0. From the shape's own axes to the world's. Default: not turned. */
+    windrow_quat orientation;
+    /* Its form and size. */
     windrow_shape shape;
 } windrow_obstacle;
 /* A block of 2 m, not turned. */

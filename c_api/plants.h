@@ -14,16 +14,28 @@ extern "C" {
 #endif
 
 /* Mechanical properties of a stalk, uniform along its length. */
+/* Made by ./dev schema from Drag. */
 typedef struct windrow_drag {
     uint32_t struct_size;
-    float length;   /* [m] */
-    float width;    /* [m] across the wind, leaves included */
-    float rigidity; /* [N m^2] E I */
+    /* [m] 1e-4 to 200, default 0.3. Length of the stalk; 0.3 is meadow grass. In a scene it is that of the class. The bend
+       grows with its cube. */
+    float length;
+    /* [m] 1e-6 to 100, default 0.004. Width across the wind, leaves included. A blade of grass has 0.004. */
+    float width;
+    /* [N m2] 1e-12 to 1e12, default 4.2e-5. E I. 4.2e-5 is a blade creased to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001). */
+    float rigidity;
+    /* 0 to 10, default 1.95. A flat plate has 1.95 (Luhar & Nepf 2011), a round stem 1.1, a crown 0.3; 0: no wind bends it. */
     float drag_coefficient;
-    float air_density; /* [kg/m^3] */
+    /* [kg/m3] 0 to 2000, default 1.2. 1.2 is air at 20 C. */
+    float air_density;
+    /* -2 to 0, default 0. Loss of drag as leaves close up: speed to this power above vogel_speed. 0: only the loss by the
+       bend, which is -2/3. Crowns have -0.7 (Vogel 1989). */
     float vogel_exponent;
-    float vogel_speed; /* [m/s] */
-    float max_bend;    /* [rad] */
+    /* [m/s] 0.001 to 1000, default 5. Speed above which leaves turn and close up. */
+    float vogel_speed;
+    /* [rad] 0 to 2.5, default 1.5707964. Upper bound of the tip's bend. No steady wind exceeds pi/2, a spring that overshoots
+       may; shells stay within pi/2. */
+    float max_bend;
 } windrow_drag;
 WINDROW_C_API windrow_result windrow_drag_init(windrow_drag* drag, uint32_t struct_size);
 
@@ -66,22 +78,45 @@ typedef struct windrow_plant_vertex {
 
 /* --- Blades -------------------------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from BladeSettings. */
 typedef struct windrow_blade_settings {
     uint32_t struct_size;
-    uint32_t reserved;         /* 0 */
-    const windrow_drag* stalk; /* null: meadow grass */
+    /* 0 */
+    uint32_t reserved;
+    /* Properties of the stalk that the class does not set. The defaults are those of meadow grass. Null: the defaults. */
+    const windrow_drag* stalk;
+    /* 0 to 0.9, default 0.3. Fraction by which lengths vary. A blade bends by its own length: in a light wind as its cube,
+       0.34 to 2.2 times as far as the class at 0.3. */
     float length_spread;
-    float width; /* [m] drawn */
+    /* [m] 0 to 10, default 0.006. Width of the drawn strip at its root. 0.006 is a blade of 4 mm, drawn wider since only a few
+       are drawn. */
+    float width;
+    /* 0 to 1, default 0.1. The tip's width over the root's. */
     float tip_width;
+    /* A number above 0, at most 10, default 2. Exponent of the width over height: width (1 - (1 - tip_width) h^taper). 2 is
+       wide for long and pointed at the end. */
     float taper;
+    /* 0 to 1, default 1. Fraction of the load that bends the blade along the wind; the rest bends it about its own wide axis
+       only. 1 is for stems and twisted blades. */
     float along_wind;
+    /* 0 to 0.9, default 0.3. Fraction by which stiffness varies, so that blades move differently. */
     float stiffness_spread;
-    float rest_bend;        /* [rad] */
-    float rest_bend_spread; /* [rad] */
+    /* [rad] -3 to 3, default 0.5. Bend of the tip at rest, toward the face. 0 is straight. */
+    float rest_bend;
+    /* [rad] 0 to 3, default 0.3. Spread of the rest bend. */
+    float rest_bend_spread;
+    /* 0 to 1, default 0.5. Shape of the rest bend: 0 a uniform arc, 1 all at the tip. */
     float rest_curve;
-    float view_bend;     /* [rad] */
-    float twist;         /* of the tip over its bend, 0 to 2 */
-    uint32_t reserved_2; /* 0 */
+    /* [rad] 0 to 3, default 0. Added to the own bend when seen from straight above; 0.5 covers ground that would show between
+       upright blades. */
+    float view_bend;
+    /* 0 to 2, default 0.3. Turn of the tip toward a wind that blows against its corner, over its bend, by wind, walkers or a
+       spring. 0: none, as for stems; so a scene has it for classes of stems. A strip has 3/4 of its width over its length
+       times the ratio of its stiffnesses, bending over twisting: 0.3 for 4 mm on 0.3 m and a ratio of 30. Stems of tulips and
+       daffodils have 8 and 13 (Etnier & Vogel 2000, Am. J. Bot. 87, 29); that of a channelled blade is ours. */
+    float twist;
+    /* 0 */
+    uint32_t reserved_2;
 } windrow_blade_settings;
 WINDROW_C_API windrow_result windrow_blade_settings_init(windrow_blade_settings* settings, uint32_t struct_size);
 
@@ -108,20 +143,37 @@ WINDROW_C_API windrow_result windrow_blades_vertices(const windrow_blades* blade
 
 /* --- Shells of fur and grass --------------------------------------------------------------------------------------------- */
 
+/* Made by ./dev schema from ShellSettings. */
 typedef struct windrow_shell_settings {
     uint32_t struct_size;
+    /* 2 to 4096, default 32. Number of layers. Of a mesh from a file, the default is that of the material's fur line. */
     int32_t shells;
+    /* 0 or 1, default 1. Whether the outermost layer is at the tip, layer i at i / (N - 1), so that the look does not depend
+       on N; else layer i is at i / N. */
     int32_t reaches_tip;
-    float length; /* [m] */
+    /* [m] 1e-6 to 100, default 0.03. Length of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is
+       that of the material's fur line. */
+    float length;
+    /* A number above 0, at most 10, default 1. Heights are (i / d)^spacing: above 1 layers gather at the skin. */
     float spacing;
+    /* 0 to 1, default 0. Fraction of the length by which all layers are lifted: a little lifts shell 0 off a skin that is
+       drawn too. */
     float bias;
-    float push; /* [m] */
+    /* [m] -100 to 100, default 0.015. Displacement of the tip for a direction of length 1, in the translated form. */
+    float push;
+    /* A number above 0, at most 10, default 2. The push grows as height^this: at 2 roots stay upright and tips lean. */
     float push_exponent;
-    float droop; /* [m] */
+    /* [m] 0 to 100, default 0. Droop of the tip, in the translated form. */
+    float droop;
+    /* 0.001 to 1000, default 3. p of the droop (p^h - 1) / (p - 1): above 1 it bends toward the tip, 1 is linear. */
     float droop_shape;
-    float sag; /* [rad] */
+    /* [rad] 0 to 1.5707964, default 0.3. Sag of the tip of a horizontal strand, in the bent form. Strands that a map shortens
+       sag by its cube. */
+    float sag;
+    /* A finite vector that is not 0, default (0, -1, 0). Direction of gravity, of any length above 0. */
     windrow_vec3 down;
-    const windrow_drag* strand; /* null: a bundle of hairs; its length is not read */
+    /* Strand of the bent form; its length is that of the layers. Null: the defaults. */
+    const windrow_drag* strand;
 } windrow_shell_settings;
 WINDROW_C_API windrow_result windrow_shell_settings_init(windrow_shell_settings* settings, uint32_t struct_size);
 
@@ -158,21 +210,33 @@ WINDROW_C_API windrow_result windrow_shells_translated_many(const windrow_shells
 /* --- Trees --------------------------------------------------------------------------------------------------------------- */
 
 /* Null: of a small tree in leaf. */
+/* Made by ./dev schema from TreeClasses. */
 typedef struct windrow_tree_classes {
     uint32_t struct_size;
-    uint32_t reserved; /* 0 */
+    /* 0 */
+    uint32_t reserved;
+    /* The trunk. Null: the defaults. */
     const windrow_drag* trunk;
+    /* Each branch. Null: the defaults. */
     const windrow_drag* branch;
+    /* Each leaf. Null: the defaults. */
     const windrow_drag* leaf;
 } windrow_tree_classes;
 WINDROW_C_API windrow_result windrow_tree_classes_init(windrow_tree_classes* classes, uint32_t struct_size);
 
 /* A straight part of a tree at rest, relative to the trunk's base. Stiffness 0: no part. */
+/* Made by ./dev schema from TreePart. */
 typedef struct windrow_tree_part {
-    windrow_vec3 root; /* [m] */
-    windrow_vec3 axis; /* unit vector */
-    float length;      /* [m] */
-    float stiffness;   /* factor on the class's */
+    /* [m] Each component -1e6 to 1e6, default (0, 0, 0). Point at which it is held: on its bearer's axis, or beside it on the
+       bark. */
+    windrow_vec3 root;
+    /* A length of 0.999 to 1.001, default (0, 1, 0). Unit vector along it. */
+    windrow_vec3 axis;
+    /* [m] 1e-4 to 200, default 1. The class's stiffness does not depend on it: a short part needs a higher `stiffness`. */
+    float length;
+    /* 1e-6 to 1e6, default 0. Factor on the class's stiffness: 1 is the class's own. 0, outside of the range, is for a part
+       that does not exist. */
+    float stiffness;
 } windrow_tree_part;
 #define WINDROW_NO_PART 0xffffffffu
 /* Indices of the parts that bear a vertex, or WINDROW_NO_PART. */

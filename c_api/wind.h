@@ -14,36 +14,83 @@ extern "C" {
 
 typedef struct windrow_event_log windrow_event_log; /* event_log.h */
 
+/* Made by ./dev schema from DiffusionMethod. */
 typedef int32_t windrow_diffusion_method;
 enum { WINDROW_DIFFUSION_NONE = 0, WINDROW_DIFFUSION_ONE_PASS = 1, WINDROW_DIFFUSION_IMPLICIT = 2 };
 
 /* [ms] Wall-clock time of one step by stage. */
+/* Made by ./dev schema from StageTimes. */
 typedef struct windrow_stage_times {
-    double sources, ambient, diffusion, advection, projection, obstacles, report, total;
+    /* [ms] Motors, NaN guard, speed limit. */
+    double sources;
+    /* [ms] The ambient wind cell by cell; 0 without gusts. */
+    double ambient;
+    /* [ms] Viscosity, and the mixing over rough ground. */
+    double diffusion;
+    /* [ms] Transport of the velocity, gathering the carried field included. */
+    double advection;
+    /* [ms] Direct solves of the pressure, further ones around obstacles too. */
+    double projection;
+    /* [ms] Rasterisation, and all passes over faces and cells at obstacles. */
+    double obstacles;
+    /* [ms] Energy, largest speed, divergence. */
+    double report;
+    /* [ms] The whole step, with what belongs to no stage: a moved box, for one. */
+    double total;
 } windrow_stage_times;
 
 /* Report of a step (fluid/diagnostics.h). */
+/* Made by ./dev schema from Diagnostics. */
 typedef struct windrow_diagnostics {
     uint32_t struct_size;
-    int32_t stepped; /* 0: nothing was done */
+    /* 0 or 1. The step ran. False: dt was 0, negative or not finite, or out_of_memory; nothing was done. */
+    int32_t stepped;
+    /* 0 or 1. The system has no memory that the step needs: the wind is unchanged. Free some and call again. */
     int32_t out_of_memory;
+    /* 0 or 1. The box, with rows of its own, was at another height in the last step: air that stayed in it was interpolated.
+       After `advance`, in any of its ticks. */
     int32_t regridded;
-    float max_speed; /* [m/s] */
+    /* [m/s] Largest component of the velocity after the step. */
+    float max_speed;
+    /* Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once. */
     float cfl;
+    /* Number of sub-steps: ceil(cfl / max_cfl), at most max_substeps; while obstacles move, of a bound of the speed that is
+       known before the step. */
     int32_t substeps;
+    /* 0 or 1. More sub-steps were needed than allowed: speeds were limited. */
     int32_t substeps_capped;
-    float carried_time; /* [s] */
+    /* [s] Time that the next steps make up for, on a device whose speeds rose further than its host could foresee; 0 on the
+       CPU. */
+    float carried_time;
+    /* Motors that acted in the box; a wake counts once per segment of its path. In free air also a volume source outside of
+       the box that makes 1 cm/s in it. */
     int32_t motors_in_reach;
+    /* Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
+       pressure had made them faster, after it. */
     int64_t limited_cells;
+    /* Cells that held NaN or infinity and were set to ambient. */
     int64_t repaired_cells;
+    /* How viscosity acted: not at all, in one explicit pass, or by a direct solve. */
     windrow_diffusion_method diffusion;
+    /* What the pressure's solution leaves of the divergence at the surfaces of obstacles, relative to that before it. 0
+       without obstacles in the box. */
     float pressure_residual;
+    /* Direct solves of the pressure in the last sub-step. 0 without obstacles in the box. */
     int32_t pressure_solves;
+    /* Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is taken out again,
+       evenly, from all air of that room: incompressible air cannot leave it. */
     int32_t sealed_sources;
-    double divergence_rms; /* [1/s] */
-    double energy;         /* [m^5/s^2] */
+    /* [1/s] Root mean square of the central divergence that the collocated projection leaves. */
+    double divergence_rms;
+    /* [m^5/s^2] Kinetic energy of the box per unit of density: sum of u^2 / 2 h^3. */
+    double energy;
+    /* 0 or 1. The air had relaxed to the ambient wind and no motor acted: the step did nothing. The other figures, those of
+       gusts too, stay as in the step that fell asleep. Gusts go on. */
     int32_t asleep;
+    /* Motors that act on no air where they are: under the ground, or farther outside of the box than its size, on an axis
+       along which it does not follow. A mistake in most scenes. */
     int32_t motors_lost;
+    /* [ms] Wall-clock time by stage. */
     windrow_stage_times times_ms;
 } windrow_diagnostics;
 WINDROW_C_API windrow_result windrow_diagnostics_init(windrow_diagnostics* diagnostics, uint32_t struct_size);

@@ -63,7 +63,8 @@ struct Gusts {
                     "makes texels of "
                     "2 m, which cells of 1 m resolve, and 256 m until it repeats."),
             Setting("seed", &Gusts::seed, k_seed_range, "Seed of the pattern."),
-            Setting("tile", &Gusts::tile, "The pattern itself.", k_not_stored),
+            Setting("tile", &Gusts::tile, "The pattern itself, for many winds to use one; null: made from the seed.",
+                    k_not_stored),
         };
     }
 };

@@ -183,7 +183,8 @@ struct Config {
                 "Instructions of the hot loops. Default: the best that this machine runs. Each level gives one result, baseline "
                 "the same on all machines.",
                 k_in_snapshots),
-            Setting("parallel_for", &Config::parallel_for, "Threads of the host.", k_not_stored),
+            Setting("parallel_for", &Config::parallel_for,
+                    "Threads of the host. Default: a serial loop; results do not depend on it.", k_not_stored),
         };
     }
 };

@@ -9,19 +9,13 @@
 using namespace windrow;
 using namespace windrow::c_api;
 
-WINDROW_EXPORT windrow_result windrow_sampling_init(windrow_sampling* sampling, uint32_t struct_size) {
-    return init(sampling, struct_size);
-}
+WINDROW_C_INIT(windrow_sampling)
 WINDROW_EXPORT windrow_result windrow_sampling_validate(const windrow_sampling* sampling) {
     return call({{sampling, "sampling"}},
                 [&] { return with(sampling, [](const Sampling& wanted) { return validate(wanted); }); });
 }
-WINDROW_EXPORT windrow_result windrow_ambient_settings_init(windrow_ambient_settings* settings, uint32_t struct_size) {
-    return init(settings, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_uniform_gust_init(windrow_uniform_gust* gust, uint32_t struct_size) {
-    return init(gust, struct_size);
-}
+WINDROW_C_INIT(windrow_ambient_settings)
+WINDROW_C_INIT(windrow_uniform_gust)
 
 WINDROW_EXPORT windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust_tile** tile) {
     return create(tile, [&]() -> Result<std::shared_ptr<const GustTile>> {

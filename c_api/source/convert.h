@@ -2,9 +2,10 @@
 //
 //     WINDROW_C_STRUCT(windrow_canopy, windrow::Canopy, height, drag);
 //
-// A member of the C++ struct without a row does not compile; WINDROW_C_STRUCT_BUT counts those that convert_rest.h converts by hand. A struct
-// with `struct_size` is one that may grow: what an older host does not have gets its default, what a newer host sets and this
-// library cannot use is rejected.
+// `./dev schema` writes the rows of structs that have a table of settings (tools/make_bindings.py). A member of the C++ struct without
+// a row does not compile; WINDROW_C_STRUCT_BUT counts those that read_rest and write_rest convert by hand. A struct with `struct_size`
+// is one that may grow: what an older host does not have gets its default, what a newer host sets and this library cannot use is
+// rejected.
 #pragma once
 
 #include "c_api/source/guard.h"
@@ -41,6 +42,11 @@
     static_assert(detail::member_count<cpp>() == std::tuple_size_v<decltype(Fields<c>::list())> + (others), "a member has no "   \
                                                                                                             "row")
 #define WINDROW_C_STRUCT(c, cpp, ...) WINDROW_C_STRUCT_BUT(0, c, cpp, __VA_ARGS__)
+/// The init function of a struct.
+#define WINDROW_C_INIT(c)                                                                                                        \
+    WINDROW_EXPORT windrow_result c##_init(c* value, uint32_t struct_size) {                                                     \
+        return windrow::c_api::init(value, struct_size);                                                                         \
+    }
 
 namespace windrow::c_api {
 

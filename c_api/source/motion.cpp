@@ -176,9 +176,7 @@ WINDROW_EXPORT windrow_result windrow_cascades_advance_double(const windrow_casc
     return advance<double>(step, batch, parallel_for);
 }
 
-WINDROW_EXPORT windrow_result windrow_cascade_config_init(windrow_cascade_config* config, uint32_t struct_size) {
-    return init(config, struct_size);
-}
+WINDROW_C_INIT(windrow_cascade_config)
 WINDROW_EXPORT windrow_result windrow_cascade_create(const windrow_cascade_config* config, const windrow_pose* body,
                                                      windrow_cascade** cascade) {
     if (cascade != nullptr)
@@ -223,12 +221,8 @@ WINDROW_EXPORT windrow_result windrow_cascade_previous_shader_poses(windrow_casc
 }
 
 // --- Ground memory -------------------------------------------------------------------------------------------------------
-WINDROW_EXPORT windrow_result windrow_ground_config_init(windrow_ground_config* config, uint32_t struct_size) {
-    return init(config, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_ground_step_init(windrow_ground_step* step, uint32_t struct_size) {
-    return init(step, struct_size);
-}
+WINDROW_C_INIT(windrow_ground_config)
+WINDROW_C_INIT(windrow_ground_step)
 WINDROW_EXPORT windrow_result windrow_ground_create(const windrow_ground_config* config, const windrow_parallel_for* parallel_for,
                                                     windrow_ground** ground) {
     return create_from(config, ground,

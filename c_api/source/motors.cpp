@@ -110,9 +110,7 @@ WINDROW_EXPORT windrow_wake_law windrow_wake_law_drive(float per_metre, float en
 }
 
 #define WINDROW_MOTOR(kind)                                                                                                      \
-    WINDROW_EXPORT windrow_result windrow_##kind##_motor_init(windrow_##kind##_motor* motor, uint32_t struct_size) {             \
-        return init(motor, struct_size);                                                                                         \
-    }                                                                                                                            \
+    WINDROW_C_INIT(windrow_##kind##_motor)                                                                                       \
     WINDROW_EXPORT windrow_result windrow_wind_add_##kind(windrow_wind* wind, const windrow_##kind##_motor* motor,               \
                                                           windrow_motor_id* id) {                                                \
         return add(wind, motor, id);                                                                                             \

@@ -148,12 +148,8 @@ WINDROW_EXPORT windrow_shape windrow_shape_ground(const windrow_height_map* heig
 }
 
 // --- Obstacles -----------------------------------------------------------------------------------------------------------
-WINDROW_EXPORT windrow_result windrow_obstacle_init(windrow_obstacle* obstacle, uint32_t struct_size) {
-    return init(obstacle, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_obstacle_force_init(windrow_obstacle_force* force, uint32_t struct_size) {
-    return init(force, struct_size);
-}
+WINDROW_C_INIT(windrow_obstacle)
+WINDROW_C_INIT(windrow_obstacle_force)
 WINDROW_EXPORT windrow_result windrow_wind_add_obstacle(windrow_wind* wind, const windrow_obstacle* obstacle,
                                                         windrow_obstacle_id* id) {
     return call({{wind, "wind"}, {obstacle, "obstacle"}}, [&] {

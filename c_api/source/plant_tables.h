@@ -11,23 +11,29 @@
 
 namespace windrow::c_api {
 
+// --- Made by ./dev schema from the marks in the headers ---------------------------------------------------------------
+// plants.h
 WINDROW_C_STRUCT(windrow_drag, Drag, length, width, rigidity, drag_coefficient, air_density, vogel_exponent, vogel_speed,
                  max_bend);
-WINDROW_C_STRUCT(windrow_plant_vertex, PlantVertex, position, normal, tangent);
 WINDROW_C_STRUCT(windrow_blade_settings, BladeSettings, stalk, length_spread, width, tip_width, taper, along_wind,
                  stiffness_spread, rest_bend, rest_bend_spread, rest_curve, view_bend, twist);
 WINDROW_C_STRUCT(windrow_shell_settings, ShellSettings, shells, reaches_tip, length, spacing, bias, push, push_exponent, droop,
                  droop_shape, sag, down, strand);
 WINDROW_C_STRUCT(windrow_tree_classes, TreeClasses, trunk, branch, leaf);
 WINDROW_C_STRUCT(windrow_tree_part, TreePart, root, axis, length, stiffness);
+// motion.h
 WINDROW_C_STRUCT(windrow_spring_class, SpringClass, frequency_hz, damping);
-WINDROW_C_STRUCT(windrow_spring_step, SpringStep, place_place, place_velocity, place_target, velocity_place, velocity_velocity,
-                 velocity_target);
 WINDROW_C_STRUCT(windrow_flutter_class, FlutterClass, frequency_hz, most, onset);
-WINDROW_C_STRUCT(windrow_pose, Pose, position, rotation, scale);
 WINDROW_C_STRUCT(windrow_cascade_config, CascadeConfig, stages, lag);
 WINDROW_C_STRUCT(windrow_ground_config, GroundConfig, texels, texel_size, spring, push, trail_fraction, trail_time, trample_time,
                  clearance, blend_width, max_stride, max_walkers);
+// --- End of what ./dev schema makes -----------------------------------------------------------------------------------
+
+// Structs without a table of settings.
+WINDROW_C_STRUCT(windrow_plant_vertex, PlantVertex, position, normal, tangent);
+WINDROW_C_STRUCT(windrow_spring_step, SpringStep, place_place, place_velocity, place_target, velocity_place, velocity_velocity,
+                 velocity_target);
+WINDROW_C_STRUCT(windrow_pose, Pose, position, rotation, scale);
 WINDROW_C_STRUCT(windrow_ground_walker, GroundWalker, position, previous, foot_height, previous_foot_height, radius, weight);
 WINDROW_C_STRUCT_BUT(1, windrow_ground_step, GroundStep, duration, wind_lean);
 WINDROW_C_STRUCT(windrow_ground_sample, GroundSample, lean, trample, trail);

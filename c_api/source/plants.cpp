@@ -40,14 +40,10 @@ TreePart part_of(const windrow_tree_part* part) {
 
 } // namespace
 
-#define WINDROW_INIT(name)                                                                                                       \
-    WINDROW_EXPORT windrow_result name##_init(name* value, uint32_t struct_size) {                                               \
-        return init(value, struct_size);                                                                                         \
-    }
-WINDROW_INIT(windrow_drag)
-WINDROW_INIT(windrow_blade_settings)
-WINDROW_INIT(windrow_shell_settings)
-WINDROW_INIT(windrow_tree_classes)
+WINDROW_C_INIT(windrow_drag)
+WINDROW_C_INIT(windrow_blade_settings)
+WINDROW_C_INIT(windrow_shell_settings)
+WINDROW_C_INIT(windrow_tree_classes)
 
 // --- Drag --------------------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_drag_of(windrow_plant plant, windrow_drag* drag) {

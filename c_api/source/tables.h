@@ -6,37 +6,27 @@
 
 namespace windrow::c_api {
 
-// --- config.h ----------------------------------------------------------------------------------------------------------
+// --- Made by ./dev schema from the marks in the headers ---------------------------------------------------------------
+// config.h
 WINDROW_C_STRUCT(windrow_boundary, Boundary, kind, wall_velocity);
 WINDROW_C_STRUCT(windrow_boundaries, Boundaries, x_low, x_high, y_low, y_high, z_low, z_high);
 WINDROW_C_STRUCT(windrow_log_profile, LogProfile, roughness_length, reference_height);
 WINDROW_C_STRUCT(windrow_gusts, Gusts, intensity, length, seed, tile);
 WINDROW_C_STRUCT(windrow_canopy, Canopy, height, drag);
-WINDROW_C_STRUCT(windrow_roughness_map, RoughnessMap, lengths, position, scale);
 WINDROW_C_STRUCT(windrow_roughness, Roughness, length, longest_mixing, map);
 WINDROW_C_STRUCT_BUT(1, windrow_rows, Rows, first, uniform, ratio, top);
 WINDROW_C_STRUCT_BUT(3, windrow_config, Config, cells, cell_size, boundaries, centre, floor, ambient, profile, gusts, canopy,
                      roughness, rows, blend_width, viscosity, relaxation_time, sleep_speed, scheme, interpolation, max_cfl,
                      max_substeps, pressure_solves, simd, parallel_for);
-
-// --- ambient.h ---------------------------------------------------------------------------------------------------------
+// ambient.h
 WINDROW_C_STRUCT(windrow_sampling, Sampling, strength, limit, detail, detail_length);
 WINDROW_C_STRUCT(windrow_ambient_settings, AmbientWind::Settings, mean, profile, gusts, ground);
-WINDROW_C_STRUCT(windrow_uniform_gust, UniformGust, mean, amplitude, period, direction);
-
-// --- wind.h ------------------------------------------------------------------------------------------------------------
+// wind.h
 WINDROW_C_STRUCT(windrow_stage_times, StageTimes, sources, ambient, diffusion, advection, projection, obstacles, report, total);
 WINDROW_C_STRUCT(windrow_diagnostics, Diagnostics, stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped,
-                 carried_time, motors_in_reach, motors_lost, limited_cells, repaired_cells, diffusion, pressure_residual,
+                 carried_time, limited_cells, repaired_cells, motors_in_reach, motors_lost, diffusion, pressure_residual,
                  pressure_solves, sealed_sources, divergence_rms, energy, asleep, times_ms);
-WINDROW_C_STRUCT_BUT(1, windrow_advance, Advance, ticks, dropped, factor);
-struct QueryDefaults {
-    windrow_number number = WINDROW_NUMBER_DOUBLE;
-};
-WINDROW_C_STRUCT(windrow_query, QueryDefaults, number);
-WINDROW_C_STRUCT_BUT(1, windrow_box, Box, cells, cell_size, boundaries);
-
-// --- motors.h ----------------------------------------------------------------------------------------------------------
+// motors.h
 WINDROW_C_STRUCT(windrow_envelope, Envelope, attack, hold, decay, delay);
 WINDROW_C_STRUCT(windrow_turbulence, Turbulence, intensity, length, seed);
 WINDROW_C_STRUCT(windrow_directional_motor, DirectionalMotor, position, direction, region, law, envelope, turbulence);
@@ -45,9 +35,19 @@ WINDROW_C_STRUCT(windrow_jet_motor, JetMotor, position, direction, length, start
 WINDROW_C_STRUCT(windrow_vortex_motor, VortexMotor, position, axis, radius, half_length, lift, law, envelope);
 WINDROW_C_STRUCT(windrow_omni_motor, OmniMotor, position, radius, speed, envelope);
 WINDROW_C_STRUCT(windrow_pressure_motor, PressureMotor, position, radius, speed, duration);
-
-// --- obstacles.h -------------------------------------------------------------------------------------------------------
+// obstacles.h
 WINDROW_C_STRUCT(windrow_obstacle, Obstacle, position, orientation, shape, surface);
+// --- End of what ./dev schema makes -----------------------------------------------------------------------------------
+
+// Structs without a table of settings, or with other names.
+WINDROW_C_STRUCT(windrow_roughness_map, RoughnessMap, lengths, position, scale);
+WINDROW_C_STRUCT(windrow_uniform_gust, UniformGust, mean, amplitude, period, direction);
+WINDROW_C_STRUCT_BUT(1, windrow_advance, Advance, ticks, dropped, factor);
+struct QueryDefaults {
+    windrow_number number = WINDROW_NUMBER_DOUBLE;
+};
+WINDROW_C_STRUCT(windrow_query, QueryDefaults, number);
+WINDROW_C_STRUCT_BUT(1, windrow_box, Box, cells, cell_size, boundaries);
 WINDROW_C_STRUCT(windrow_obstacle_force, ObstacleForce, force, moment, pressure, in_box);
 
 // What a table does not hold: lists, variants, bits, what is shared (tables.cpp).

@@ -104,9 +104,7 @@ vdb::Region region_of(const windrow_vdb_film& film, const WindView& view) {
 
 } // namespace
 
-WINDROW_EXPORT windrow_result windrow_vdb_film_init(windrow_vdb_film* film, uint32_t struct_size) {
-    return init(film, struct_size);
-}
+WINDROW_C_INIT(windrow_vdb_film)
 WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, const windrow_vdb_film* film, const char* path,
                                                      const windrow_vdb_options* options) {
     return call({{wind, "wind"}, {film, "film"}, {path, "path"}}, [&]() -> windrow_result {
@@ -143,12 +141,8 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, c
                             [&](const vdb::Options& how) { return done_with(vdb::write(grid->grid, path_of(path), how)); });
     });
 }
-WINDROW_EXPORT windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size) {
-    return init(options, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_vdb_grid_init(windrow_vdb_grid* grid, uint32_t struct_size) {
-    return init(grid, struct_size);
-}
+WINDROW_C_INIT(windrow_vdb_options)
+WINDROW_C_INIT(windrow_vdb_grid)
 WINDROW_EXPORT int32_t windrow_vdb_has_nanovdb(void) {
     return vdb::has_nanovdb();
 }

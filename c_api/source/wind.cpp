@@ -159,21 +159,17 @@ WINDROW_EXPORT windrow_result windrow_config_validate(const windrow_config* conf
     return call({{config, "config"}}, [&] { return with(config, [](const Config& wanted) { return validate(wanted); }); });
 }
 
-#define WINDROW_INIT(name)                                                                                                       \
-    WINDROW_EXPORT windrow_result name##_init(name* value, uint32_t struct_size) {                                               \
-        return init(value, struct_size);                                                                                         \
-    }
-WINDROW_INIT(windrow_log_profile)
-WINDROW_INIT(windrow_gusts)
-WINDROW_INIT(windrow_canopy)
-WINDROW_INIT(windrow_roughness_map)
-WINDROW_INIT(windrow_roughness)
-WINDROW_INIT(windrow_rows)
-WINDROW_INIT(windrow_config)
-WINDROW_INIT(windrow_diagnostics)
-WINDROW_INIT(windrow_advance)
-WINDROW_INIT(windrow_box)
-WINDROW_INIT(windrow_query)
+WINDROW_C_INIT(windrow_log_profile)
+WINDROW_C_INIT(windrow_gusts)
+WINDROW_C_INIT(windrow_canopy)
+WINDROW_C_INIT(windrow_roughness_map)
+WINDROW_C_INIT(windrow_roughness)
+WINDROW_C_INIT(windrow_rows)
+WINDROW_C_INIT(windrow_config)
+WINDROW_C_INIT(windrow_diagnostics)
+WINDROW_C_INIT(windrow_advance)
+WINDROW_C_INIT(windrow_box)
+WINDROW_C_INIT(windrow_query)
 
 // --- Life --------------------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_wind_create(const windrow_config* config, windrow_wind** wind) {

@@ -1,8 +1,8 @@
 // Tutorial: the README's ten lines in C#. A dog runs beside a player through a breeze, and a leaf feels its wake.
 //
-//     mcs -out:follow_player.exe Windrow.cs FollowPlayer.cs && mono follow_player.exe
+//     mcs -out:follow_player.exe Windrow.cs FollowPlayer.cs windrow_c/*.cs && mono follow_player.exe
 //
-// Windrow.cs is the class. Every error is an exception with the library's sentence.
+// Windrow.cs is the class, windrow_c the structs. Every error is an exception with the library's sentence.
 using System;
 using System.Globalization;
 using Windrow;

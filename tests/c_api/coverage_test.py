@@ -4,6 +4,7 @@ import pathlib
 import re
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
 from c_header import Header
 
 NO_NAMES = {"if", "while", "for", "return", "sizeof", "alignof", "static_assert", "requires", "noexcept", "defined", "operator", "decltype",

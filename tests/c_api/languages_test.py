@@ -5,6 +5,7 @@ Compiles and runs the example of a language against the shared library. It must 
 end with 2 and the library's sentence where a setting is wrong (argument `wrong`).
 """
 import argparse
+import ctypes
 import os
 import pathlib
 import shutil
@@ -38,12 +39,28 @@ def example(language, args):
         return [sys.executable, "-B", args.examples / "python" / "windrow.py"]
     if language == "csharp":
         program = args.work / "follow_player.exe"
-        build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", *sorted((args.examples / "csharp").glob("*.cs"))])
+        build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", *sorted((args.examples / "csharp").rglob("*.cs"))])
         return [tool("mono", "mono-runtime"), program]
     program = args.work / "follow_player"
     build([tool("rustc", "rustc"), "--edition", "2021", "-D", "warnings", "-O", "-L", args.library.parent, "-o", program,
            args.examples / "rust" / "windrow.rs"])
     return [program]
+
+
+def check_csharp_layout(args):
+    """Each struct of C# is laid out as that of Python, which bindings_test.py compares with C."""
+    program = args.work / "layout.exe"
+    sources = [path for path in (args.examples / "csharp").rglob("*.cs") if path.name != "FollowPlayer.cs"]
+    build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", pathlib.Path(__file__).with_name("Layout.cs"), *sources])
+    sys.path.insert(0, str(args.examples / "python"))
+    import windrow_c
+    structs = [kind for kind in vars(windrow_c).values() if isinstance(kind, type) and issubclass(kind, ctypes.Structure)]
+    expected = {f"{kind.__name__} {ctypes.sizeof(kind)} " + " ".join(str(getattr(kind, name).offset) for name, _ in kind._fields_)
+                for kind in structs}
+    said = set(run([tool("mono", "mono-runtime"), program])[1].splitlines())
+    if said != expected or len(said) < 90:
+        sys.exit(f"structs of C# are laid out otherwise: {sorted(said ^ expected)}")
+    print(f"{len(said)} structs of C# are laid out as those of Python")
 
 
 def main():
@@ -66,6 +83,8 @@ def main():
         if wrong[0] != 2 or "cell_size is -1" not in wrong[2]:
             sys.exit(f"a wrong setting ends with {wrong[0]}, not with 2 and the sentence: {wrong[1]}{wrong[2]}")
         print(f"a wrong setting: {wrong[2].strip()}")
+    if args.language == "csharp":
+        check_csharp_layout(args)
 
 
 if __name__ == "__main__":

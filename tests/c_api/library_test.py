@@ -6,9 +6,11 @@
 - No struct has padding at its end, which an older host would hand over as a field of a newer one.
 """
 import ctypes
+import pathlib
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
 from c_header import Header
 
 # Calls that mean something with every pointer null.

@@ -1,5 +1,5 @@
 // Each figure of a step's report is its row (fluid/diagnostics.h), and the row reaches all readers: timings.csv, the console's table
-// of stages, the C struct, docs/report.md. That the C struct is filled, c_api/source/tables.h checks as it compiles.
+// of stages, docs/report.md. The C struct is made from the rows too (tools/make_bindings.py).
 #include "cli/timings.h"
 #include "fluid/core/message.h"
 #include "tests/scene_schema.h"
@@ -7,11 +7,8 @@
 #include <algorithm>
 #include <concepts>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -116,28 +113,6 @@ TEST(Report, StagesWithTheRestAreTheWhole) {
     EXPECT_EQ(median["rest"], 0.75) << table;
     EXPECT_EQ(median["whole"], sum) << table;
     EXPECT_EQ(median.size(), k_stage_count + 2) << table;
-}
-
-TEST(Report, EachRowIsInTheCStruct) {
-    std::ifstream stream(k_source / "c_api/wind.h");
-    const std::string header((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    // What is behind the field on its line: the end of it and a comment.
-    const auto behind = [&](const std::string& structure, const std::string& field) {
-        const std::size_t begin = header.find("typedef struct " + structure + " {"), end = header.find("} " + structure, begin);
-        const std::string fields = header.substr(std::min(begin, header.size()), end - begin);
-        std::smatch found;
-        EXPECT_TRUE(std::regex_search(fields, found, std::regex("\\b" + field + "([,;].*)"))) << structure << "." << field;
-        return found.empty() ? std::string() : found[1].str();
-    };
-    const Diagnostics report;
-    for_each_row(report, [&](const auto& row, const auto& value) {
-        const std::string comment = behind("windrow_diagnostics", row.name);
-        const std::string unit = *row.unit == '\0' ? "" : detail::message("[", row.unit, "]");
-        if constexpr (!requires { value.rows(); }) { // a struct's comment has the unit of its fields
-            EXPECT_NE(comment.find(unit), comment.npos) << row.name << comment;
-        }
-    });
-    for_each_row(report.times_ms, [&](const auto& row, double) { behind("windrow_stage_times", row.name); });
 }
 
 void write_table(std::string& text, const auto& report) {

@@ -64,19 +64,10 @@ windrow_result give_facts(const vulkan::DeviceFacts& from, windrow_vulkan_device
 
 } // namespace
 
-WINDROW_EXPORT windrow_result windrow_vulkan_host_init(windrow_vulkan_host* host, uint32_t struct_size) {
-    return init(host, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_vulkan_requirements_init(windrow_vulkan_requirements* requirements, uint32_t struct_size) {
-    return init(requirements, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_vulkan_device_facts_init(windrow_vulkan_device_facts* facts, uint32_t struct_size) {
-    return init(facts, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_vulkan_device_settings_init(windrow_vulkan_device_settings* settings,
-                                                                  uint32_t struct_size) {
-    return init(settings, struct_size);
-}
+WINDROW_C_INIT(windrow_vulkan_host)
+WINDROW_C_INIT(windrow_vulkan_requirements)
+WINDROW_C_INIT(windrow_vulkan_device_facts)
+WINDROW_C_INIT(windrow_vulkan_device_settings)
 
 WINDROW_EXPORT windrow_result windrow_vulkan_require_features(void* features) {
     return call({{features, "features"}}, [&]() -> windrow_result {

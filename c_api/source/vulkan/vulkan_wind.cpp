@@ -89,12 +89,8 @@ windrow_result not_ready(const char* sentence) {
 
 } // namespace
 
-WINDROW_EXPORT windrow_result windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size) {
-    return init(settings, struct_size);
-}
-WINDROW_EXPORT windrow_result windrow_vulkan_frame_init(windrow_vulkan_frame* frame, uint32_t struct_size) {
-    return init(frame, struct_size);
-}
+WINDROW_C_INIT(windrow_vulkan_settings)
+WINDROW_C_INIT(windrow_vulkan_frame)
 
 // --- Life --------------------------------------------------------------------------------------------------------------
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,

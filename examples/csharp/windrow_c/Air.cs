@@ -1,0 +1,419 @@
+// Made by ./dev schema from the headers of c_api, where units, ranges and defaults are. Do not edit.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Windrow
+{
+    public enum Part { Coupling = 0, Vdb = 1, Vulkan = 2 }
+    public enum Result { Ok = 0, Rejected = -1, Stale = -2, OutOfMemory = -3, CannotWrite = -4, DiskFull = -5,
+        Unsupported = -6, NotReady = -7, DeviceLost = -9, Unexpected = -8 }
+    public enum Severity { Warning = 0, Error = 1 }
+    public enum BoundaryKind { Open = 0, FreeSlip = 1, NoSlip = 2, Periodic = 3 }
+    public enum Scheme { SecondOrder = 0, StableFluids = 1 }
+    public enum Interpolation { Linear = 0, Cubic = 1 }
+    public enum Simd { Best = 0, Baseline = 1, Avx2 = 2, Avx512 = 3 }
+    public enum DiffusionMethod { None = 0, OnePass = 1, Implicit = 2 }
+    public enum Frame { Now = 0, Previous = 1 }
+    public enum Number { Float = 0, Double = 1 }
+    public enum Texel { Half = 0, Float = 1 }
+    public static partial class Constants
+    {
+        public const int FollowDefault = -1, FollowX = 1, FollowY = 2, FollowZ = 4, StageSources = 1,
+            StageRelaxation = 2, StageDiffusion = 4, StageAdvection = 8, StageProjection = 16, StageAll = 31,
+            MaxRows = 128;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Vec2
+    {
+        public float X, Y;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Vec3
+    {
+        public float X, Y, Z;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Vec4
+    {
+        public float X, Y, Z, W;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Quat
+    {
+        public float X, Y, Z, W;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DVec2
+    {
+        public double X, Y;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DVec3
+    {
+        public double X, Y, Z;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DVec4
+    {
+        public double X, Y, Z, W;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct IVec2
+    {
+        public int X, Y;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct IVec3
+    {
+        public int X, Y, Z;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct UVec2
+    {
+        public uint X, Y;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ParallelFor
+    {
+        public IntPtr Run, Context;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Boundary
+    {
+        public BoundaryKind Kind;
+        public Vec3 WallVelocity;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Boundaries
+    {
+        public Boundary XLow, XHigh, YLow, YHigh, ZLow, ZHigh;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct LogProfile
+    {
+        public uint StructSize;
+        public float RoughnessLength, ReferenceHeight;
+        public static LogProfile Default() { return Native.Filled<LogProfile>(windrow_log_profile_init); }
+        [DllImport(Native.Library)] private static extern int windrow_log_profile_init(out LogProfile it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Gusts
+    {
+        public uint StructSize;
+        public float Intensity, Length;
+        public uint Seed;
+        public IntPtr Tile;
+        public static Gusts Default() { return Native.Filled<Gusts>(windrow_gusts_init); }
+        [DllImport(Native.Library)] private static extern int windrow_gusts_init(out Gusts it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Canopy
+    {
+        public uint StructSize;
+        public float Height, Drag;
+        public static Canopy Default() { return Native.Filled<Canopy>(windrow_canopy_init); }
+        [DllImport(Native.Library)] private static extern int windrow_canopy_init(out Canopy it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct RoughnessMap
+    {
+        public uint StructSize, Reserved;
+        public IntPtr Lengths;
+        public DVec3 Position;
+        public Vec3 Scale;
+        public uint Reserved2;
+        public static RoughnessMap Default() { return Native.Filled<RoughnessMap>(windrow_roughness_map_init); }
+        [DllImport(Native.Library)] private static extern int windrow_roughness_map_init(out RoughnessMap it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Roughness
+    {
+        public uint StructSize;
+        public float Length, LongestMixing;
+        public uint Reserved;
+        public IntPtr Map;
+        public static Roughness Default() { return Native.Filled<Roughness>(windrow_roughness_init); }
+        [DllImport(Native.Library)] private static extern int windrow_roughness_init(out Roughness it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Rows
+    {
+        public uint StructSize;
+        public float First;
+        public int Uniform;
+        public float Ratio, Top;
+        public uint HeightCount;
+        public IntPtr Heights;
+        public static Rows Default() { return Native.Filled<Rows>(windrow_rows_init); }
+        [DllImport(Native.Library)] private static extern int windrow_rows_init(out Rows it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Config
+    {
+        public uint StructSize;
+        public IVec3 Cells;
+        public float CellSize;
+        public Boundaries Boundaries;
+        public int FollowAxes;
+        public DVec3 Centre;
+        public Vec3 Ambient;
+        public uint Reserved;
+        public IntPtr Profile, Gusts, Canopy, Roughness, Rows;
+        public float BlendWidth, Viscosity, RelaxationTime, SleepSpeed;
+        public Scheme Scheme;
+        public Interpolation Interpolation;
+        public float MaxCfl;
+        public int MaxSubsteps, PressureSolves;
+        public uint Stages;
+        public double TicksHz;
+        public int TicksMaxPerCall;
+        public Simd Simd;
+        public ParallelFor ParallelFor;
+        public double Floor;
+        public static Config Default() { return Native.Filled<Config>(windrow_config_init); }
+        [DllImport(Native.Library)] private static extern int windrow_config_init(out Config it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Sampling
+    {
+        public uint StructSize;
+        public float Strength, Limit, Detail, DetailLength;
+        public static Sampling Default() { return Native.Filled<Sampling>(windrow_sampling_init); }
+        [DllImport(Native.Library)] private static extern int windrow_sampling_init(out Sampling it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct AmbientSettings
+    {
+        public uint StructSize;
+        public Vec3 Mean;
+        public IntPtr Profile, Gusts;
+        public double Ground;
+        public static AmbientSettings Default() { return Native.Filled<AmbientSettings>(windrow_ambient_settings_init); }
+        [DllImport(Native.Library)] private static extern int windrow_ambient_settings_init(out AmbientSettings it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct UniformGust
+    {
+        public uint StructSize;
+        public float Mean, Amplitude, Period;
+        public Vec3 Direction;
+        public uint Reserved;
+        public static UniformGust Default() { return Native.Filled<UniformGust>(windrow_uniform_gust_init); }
+        [DllImport(Native.Library)] private static extern int windrow_uniform_gust_init(out UniformGust it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct WindowBlock
+    {
+        public Vec3 Origin;
+        public float CellSize;
+        public Vec3 Cells;
+        public float Factor;
+        public Vec3 PreviousOrigin;
+        public float Rows;
+        public Vec3 Ambient;
+        public float Height;
+        public Vec3 LowBoundaries;
+        public float Unused2;
+        public Vec3 HighBoundaries;
+        public float Unused3;
+        public Vec3 BlendCentre;
+        public float BlendWidth;
+        public Vec3 BlendReach;
+        public float Unused4;
+        public Vec3 PreviousBlendCentre;
+        public float Unused5;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct AxisBlock
+    {
+        public float TextureScale, TextureOffset, InnerScale, InnerOffset, EdgeScale, LowEdge, HighEdge, Smoothness;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct PlaceBlock
+    {
+        public AxisBlock X, Y, Z;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct AmbientBlock
+    {
+        public Vec3 Mean;
+        public float GustStrength, RoughnessLength, ReferenceHeight, AnchorHeight, FeltStrength;
+        public Vec3 GustTexel;
+        public float GustTexels;
+        public Vec3 GustFraction;
+        public float LongestGust;
+        public Vec3 GustAxes;
+        public float FeltLimit;
+        public Vec3 DetailTexel;
+        public float DetailTexels;
+        public Vec3 DetailFraction;
+        public float DetailAmount;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FrameBlock
+    {
+        public WindowBlock Window;
+        public PlaceBlock Place, PreviousPlace;
+        public AmbientBlock Ambient, PreviousAmbient;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 128)] public float[] Heights;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DragBlock
+    {
+        public Vec4 Load;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct BladeBlock
+    {
+        public Vec4 Size, Form, Own;
+        public DragBlock Drag;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ShellBlock
+    {
+        public Vec4 Form, Push, Sag;
+        public DragBlock Drag;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct TreeBlock
+    {
+        public DragBlock Trunk, Branch, Leaf;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SpringBlock
+    {
+        public Vec4 Place, Velocity;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SwingBlock
+    {
+        public SpringBlock Spring, Smoothing;
+        public Vec4 Parts;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct FlutterBlock
+    {
+        public Vec4 Motion, Now, Before;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct PoseBlock
+    {
+        public Vec4 Place, Rotation;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct GroundPlaceBlock
+    {
+        public Vec4 Corner, BlendZone, Slot;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct GroundBlock
+    {
+        public GroundPlaceBlock Now, Before;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct StageTimes
+    {
+        public double Sources, Ambient, Diffusion, Advection, Projection, Obstacles, Report, Total;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Diagnostics
+    {
+        public uint StructSize;
+        public int Stepped, OutOfMemory, Regridded;
+        public float MaxSpeed, Cfl;
+        public int Substeps, SubstepsCapped;
+        public float CarriedTime;
+        public int MotorsInReach;
+        public long LimitedCells, RepairedCells;
+        public DiffusionMethod Diffusion;
+        public float PressureResidual;
+        public int PressureSolves, SealedSources;
+        public double DivergenceRms, Energy;
+        public int Asleep, MotorsLost;
+        public StageTimes TimesMs;
+        public static Diagnostics Default() { return Native.Filled<Diagnostics>(windrow_diagnostics_init); }
+        [DllImport(Native.Library)] private static extern int windrow_diagnostics_init(out Diagnostics it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Advance
+    {
+        public uint StructSize;
+        public int Ticks;
+        public double Dropped;
+        public float Factor;
+        public uint Reserved;
+        public static Advance Default() { return Native.Filled<Advance>(windrow_advance_init); }
+        [DllImport(Native.Library)] private static extern int windrow_advance_init(out Advance it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Box
+    {
+        public uint StructSize;
+        public IVec3 Cells;
+        public float CellSize;
+        public Vec3 Size;
+        public DVec3 Origin;
+        public Boundaries Boundaries;
+        public static Box Default() { return Native.Filled<Box>(windrow_box_init); }
+        [DllImport(Native.Library)] private static extern int windrow_box_init(out Box it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Query
+    {
+        public uint StructSize;
+        public Frame Frame;
+        public ulong Count;
+        public IntPtr Positions;
+        public Number Number;
+        public uint PositionStride;
+        public DVec3 Anchor;
+        public IntPtr Velocities;
+        public uint VelocityStride, Reserved;
+        public IntPtr Sampling;
+        public static Query Default() { return Native.Filled<Query>(windrow_query_init); }
+        [DllImport(Native.Library)] private static extern int windrow_query_init(out Query it, uint size);
+    }
+}

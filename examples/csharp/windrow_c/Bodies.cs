@@ -1,0 +1,174 @@
+// Made by ./dev schema from the headers of c_api, where units, ranges and defaults are. Do not edit.
+using System;
+using System.Runtime.InteropServices;
+
+namespace Windrow
+{
+    public enum RegionKind { Sphere = 0, Capsule = 1, Box = 2, Cone = 3 }
+    public enum LawKind { Force = 0, Drive = 1 }
+    public enum MotorKind { Directional = 0, Wake = 1, Jet = 2, Vortex = 3, Omni = 4, Pressure = 5 }
+    public enum ShapeKind { Sphere = 0, Capsule = 1, Block = 2, Cylinder = 3, Plate = 4, Mesh = 5, Voxels = 6,
+        Ground = 7 }
+    public enum Surface { FreeSlip = 0, NoSlip = 1 }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct MotorId
+    {
+        public uint Slot, Generation, Owner;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Region
+    {
+        public RegionKind Kind;
+        public float Radius;
+        public Vec3 HalfAxis, HalfSize, Axis;
+        public float StartRadius, EndRadius;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Law
+    {
+        public LawKind Kind;
+        public float Acceleration, Speed, Rate;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct WakeLaw
+    {
+        public LawKind Kind;
+        public float Strength, PerMetre, Entrainment;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Envelope
+    {
+        public float Attack, Hold, Decay, Delay;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Turbulence
+    {
+        public float Intensity, Length;
+        public uint Seed;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DirectionalMotor
+    {
+        public uint StructSize;
+        public Vec3 Direction;
+        public DVec3 Position;
+        public Region Region;
+        public Law Law;
+        public Envelope Envelope;
+        public Turbulence Turbulence;
+        public static DirectionalMotor Default() { return Native.Filled<DirectionalMotor>(windrow_directional_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_directional_motor_init(out DirectionalMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct WakeMotor
+    {
+        public uint StructSize;
+        public float Radius;
+        public DVec3 Position;
+        public WakeLaw Law;
+        public Envelope Envelope;
+        public Turbulence Turbulence;
+        public uint Reserved;
+        public static WakeMotor Default() { return Native.Filled<WakeMotor>(windrow_wake_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_wake_motor_init(out WakeMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct JetMotor
+    {
+        public uint StructSize;
+        public Vec3 Direction;
+        public DVec3 Position;
+        public float Length, StartRadius, EndRadius;
+        public Law Law;
+        public Envelope Envelope;
+        public Turbulence Turbulence;
+        public static JetMotor Default() { return Native.Filled<JetMotor>(windrow_jet_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_jet_motor_init(out JetMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct VortexMotor
+    {
+        public uint StructSize;
+        public Vec3 Axis;
+        public DVec3 Position;
+        public float Radius, HalfLength, Lift;
+        public Law Law;
+        public Envelope Envelope;
+        public uint Reserved;
+        public static VortexMotor Default() { return Native.Filled<VortexMotor>(windrow_vortex_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_vortex_motor_init(out VortexMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct OmniMotor
+    {
+        public uint StructSize;
+        public float Radius;
+        public DVec3 Position;
+        public float Speed;
+        public Envelope Envelope;
+        public uint Reserved;
+        public static OmniMotor Default() { return Native.Filled<OmniMotor>(windrow_omni_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_omni_motor_init(out OmniMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct PressureMotor
+    {
+        public uint StructSize;
+        public float Radius;
+        public DVec3 Position;
+        public float Speed, Duration;
+        public static PressureMotor Default() { return Native.Filled<PressureMotor>(windrow_pressure_motor_init); }
+        [DllImport(Native.Library)] private static extern int windrow_pressure_motor_init(out PressureMotor it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Shape
+    {
+        public ShapeKind Kind;
+        public float Radius, HalfLength, CellSize;
+        public Vec3 HalfSize, HalfAxis, Scale;
+        public uint Reserved;
+        public IntPtr Mesh, Voxels, Heights;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Obstacle
+    {
+        public uint StructSize;
+        public Surface Surface;
+        public DVec3 Position;
+        public Quat Orientation;
+        public Shape Shape;
+        public static Obstacle Default() { return Native.Filled<Obstacle>(windrow_obstacle_init); }
+        [DllImport(Native.Library)] private static extern int windrow_obstacle_init(out Obstacle it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ObstacleId
+    {
+        public uint Slot, Generation, Owner;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ObstacleForce
+    {
+        public uint StructSize;
+        public Vec3 Force, Moment;
+        public float Pressure;
+        public int InBox;
+        public static ObstacleForce Default() { return Native.Filled<ObstacleForce>(windrow_obstacle_force_init); }
+        [DllImport(Native.Library)] private static extern int windrow_obstacle_force_init(out ObstacleForce it, uint size);
+    }
+}
