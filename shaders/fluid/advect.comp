@@ -19,7 +19,7 @@ layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; 
 #include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
 
-layout(constant_id = 3) const bool k_careful = false; // bodies may be thin, or rooms closed
+layout(constant_id = 3) const bool k_one_sided = false; // bodies may be sub-grid, or rooms closed
 
 ivec3 strides() {
     const int row = tick.cells.x + WINDROW_HALO;
@@ -40,7 +40,7 @@ int locate(ivec3 cell, vec3 displacement, ivec3 stride, bool wraps, out vec3 fra
     return offset;
 }
 
-#include "fluid/careful.glsl"
+#include "fluid/one_sided.glsl"
 
 vec3 lerp(vec3 a, vec3 b, float t) { return a + t * (b - a); }
 
@@ -168,11 +168,11 @@ void main() {
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
         if (is_on(WINDROW_GUSTS))
             result += prescribed_carried(result, cell, at, displacement, stride);
-        if (k_careful && has_obstacles()) {
+        if (k_one_sided && has_obstacles()) {
             const int byte = solid_byte(solid_number(cell));
             const bool room = (byte & WINDROW_BYTE_ROOM) != 0;
-            if (room || is_beside_thin(byte))
-                result = careful_result(result, cell, u, room, stride);
+            if (room || is_beside_sub_grid(byte))
+                result = one_sided_result(result, cell, u, room);
         }
     } else {
         const ivec3 place = cell + WINDROW_HALO_LOW;
