@@ -13,6 +13,7 @@
 namespace windrow::numerics {
 using namespace glm;
 #include "shaders/numerics/canopy.glsl"
+#include "shaders/numerics/closed_face.glsl"
 #include "shaders/numerics/diffusion.glsl"
 #include "shaders/numerics/history.glsl"
 #include "shaders/numerics/motors.glsl"

@@ -110,7 +110,7 @@ vec3 history_of(ivec3 cell, int at) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < term_count(record); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * slipping(history[cell_index(term.cell)].xyz, term, 0.0f);
+        sum += term.weight * windrow_slipped(history[cell_index(term.cell)].xyz, term.normal, 0.0f);
     }
     return term_count(record) > 0 ? sum : history[at].xyz;
 }
@@ -140,7 +140,7 @@ vec3 departing_velocity(ivec3 cell) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * slipping(velocity_of(term.cell), term, term.wall);
+        sum += term.weight * windrow_slipped(velocity_of(term.cell), term.normal, term.wall);
     }
     return sum;
 }
