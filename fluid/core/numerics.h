@@ -18,6 +18,7 @@ using namespace glm;
 #include "shaders/numerics/history.glsl"
 #include "shaders/numerics/motors.glsl"
 #include "shaders/numerics/splitting.glsl"
+#include "shaders/numerics/substeps.glsl"
 #include "shaders/numerics/transport.glsl"
 #include "shaders/numerics/window.glsl"
 } // namespace windrow::numerics
