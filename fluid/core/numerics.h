@@ -13,10 +13,13 @@
 namespace windrow::numerics {
 using namespace glm;
 #include "shaders/numerics/canopy.glsl"
+#include "shaders/numerics/closed_face.glsl"
 #include "shaders/numerics/diffusion.glsl"
 #include "shaders/numerics/history.glsl"
 #include "shaders/numerics/motors.glsl"
 #include "shaders/numerics/splitting.glsl"
+#include "shaders/numerics/substeps.glsl"
+#include "shaders/numerics/transport.glsl"
 #include "shaders/numerics/window.glsl"
 } // namespace windrow::numerics
 #undef WINDROW_FN

@@ -1,6 +1,7 @@
 #include "fluid/core/speed_bound.h"
 
 #include "fluid/core/ambient_numerics.h"
+#include "fluid/core/numerics.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -175,8 +176,7 @@ int SpeedBound::substeps(const Config& config, double duration) const {
         since = since.then(at(tick).rises.expected);
     const double wanted = std::ceil(static_cast<double>(since.of(expected_after(from))) * duration /
                                     static_cast<double>(config.cell_size * config.max_cfl));
-    // What is not a number is limited as the fastest air is.
-    return wanted < config.max_substeps ? std::max(static_cast<int>(wanted), 1) : config.max_substeps;
+    return numerics::windrow_substeps(static_cast<float>(wanted), config.max_substeps);
 }
 
 float SpeedBound::after(std::uint64_t read_tick, float largest, float apart) const {

@@ -84,7 +84,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     const auto advect_plane =
         transport.interpolation == Interpolation::cubic ? state.kernels->advect_plane_cubic : state.kernels->advect_plane_linear;
     state.parallel_for(state.box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_beside_thin_bodies(task, false, transport.interpolation == Interpolation::cubic);
+    state.advect_one_sided(task, false, transport.interpolation == Interpolation::cubic);
 }
 
 } // namespace windrow

@@ -3,6 +3,8 @@
 //
 // Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. The
 // remaining divergence is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
+// Based on, around obstacles: Buzbee, Dorr, George & Golub 1971, SIAM Journal on Numerical Analysis 8 (a direct solver's box around an
+// irregular domain), here with conjugate gradients on its surface.
 #include "fluid/cpu/sources.h"
 #include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"

@@ -50,7 +50,7 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
     const auto advect_plane = transport.interpolation == Interpolation::cubic ? state.kernels->advect_scalar_plane_cubic
                                                                               : state.kernels->advect_scalar_plane_linear;
     state.parallel_for(box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_beside_thin_bodies(task, true, transport.interpolation == Interpolation::cubic);
+    state.advect_one_sided(task, true, transport.interpolation == Interpolation::cubic);
     return {};
 }
 

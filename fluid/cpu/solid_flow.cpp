@@ -1,5 +1,8 @@
+// Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26; Ng, Min & Gibou 2009, Journal of Computational Physics
+// 228 (fractions of faces). Flux, slope and slip: shaders/numerics/closed_face.glsl.
 #include "fluid/cpu/solid_flow.h"
 
+#include "fluid/core/numerics.h"
 #include "fluid/cpu/kernels/kernels.h"
 #include "fluid/grid/box_rules.h"
 
@@ -36,6 +39,10 @@ void for_each_face(const Box& box, std::span<const ClosedFace> faces, const Visi
             visit(n, faces[n], FaceScales{});
 }
 
+float slope_over(const ClosedFace& face, const float* potential) {
+    return numerics::windrow_closed_slope(face.closed, potential[face.potential[0]], potential[face.potential[1]]);
+}
+
 // `push` holds the sum of the potential over its surface.
 PressurePush finished(PressurePush push, float cell_size) {
     if (push.wetted > 0.0)
@@ -65,7 +72,9 @@ void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields,
             const bool slips = source.normal != glm::vec3(0.0f); // in the first layer, which comes first
             for (std::size_t field = 0; field < Count; ++field) {
                 const glm::vec4 value = fields[field][source.cell];
-                sums[field] += slips ? glm::vec4(source.slipping(glm::vec3(value), across(source, field)), value.w) : value;
+                sums[field] +=
+                    slips ? glm::vec4(numerics::windrow_slipped(glm::vec3(value), source.normal, across(source, field)), value.w)
+                          : value;
             }
         }
         for (std::size_t field = 0; field < Count; ++field)
@@ -74,13 +83,10 @@ void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields,
 }
 
 void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& prescribed) const {
-    const std::array fields{velocity};
-    if (prescribed.any())
-        extend_by(fields, [&](const Solids::GhostSource& source, std::size_t) {
-            return source.wall - glm::dot(prescribed_at(prescribed, source.cell), source.normal);
-        });
-    else
-        extend_by(fields, [](const Solids::GhostSource& source, std::size_t) { return source.wall; });
+    const bool any = prescribed.any();
+    extend_by(std::array{velocity}, [&](const Solids::GhostSource& source, std::size_t) {
+        return source.wall - (any ? glm::dot(prescribed_at(prescribed, source.cell), source.normal) : 0.0f);
+    });
 }
 
 void SolidFlow::extend_history(std::span<glm::vec4> history) const {
@@ -103,7 +109,7 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
         float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         if (any)
             both += ambient_at(prescribed, face.cell[0])[face.axis] + ambient_at(prescribed, face.cell[1])[face.axis];
-        const float flux = 0.5f * face.closed * both - (bodies_move ? face.wall : 0.0f);
+        const float flux = numerics::windrow_closed_flux(face.closed, both, bodies_move ? face.wall : 0.0f);
         for (int end = 0; end < 2; ++end)
             if (!face.shut[end])
                 potential[face.potential[end]] += (end == 0 ? -scales.cell[end] : scales.cell[end]) *
@@ -114,21 +120,20 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
     });
 }
 
-// What a face's flux counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the wind is
-// part of the velocity beyond the face.
+// Of a face's flux, in the cell at one end.
 float SolidFlow::blown_past(const PrescribedFlow& prescribed, const ClosedFace& face, int end) const {
     if (!solids_.is_sheltered(face.cell[end]))
         return 0.0f;
     const std::uint32_t here = face.cell[end], other = face.cell[1 - end];
     const float beyond = ambient_at(prescribed, other)[face.axis];
     const float both = ambient_at(prescribed, here)[face.axis] + beyond;
-    return 0.5f * (face.closed * both + (solids_.is_sheltered(other) ? 0.0f : (1.0f - face.closed) * beyond));
+    return numerics::windrow_blown_past(face.closed, both, beyond, solids_.is_sheltered(other));
 }
 
 void SolidFlow::closed_slopes(const float* potential, std::span<float> slope) const {
     const std::span<const ClosedFace> faces = solids_.faces();
     for (std::size_t n = 0; n < faces.size(); ++n)
-        slope[n] = faces[n].closed * (potential[faces[n].potential[1]] - potential[faces[n].potential[0]]);
+        slope[n] = slope_over(faces[n], potential);
 }
 
 void SolidFlow::add_masked(std::span<const float> slope, float factor, std::span<float> terms) const {
@@ -143,7 +148,7 @@ void SolidFlow::find_residual(const float* potential, std::span<const float> gue
                               std::span<float> residual) const {
     std::fill(residual.begin(), residual.end(), 0.0f);
     for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
-        const float here = face.closed * (potential[face.potential[1]] - potential[face.potential[0]]);
+        const float here = slope_over(face, potential);
         slope[n] = here;
         const float passed = scales.link * (factor > 0.0f ? here - factor * guess[n] : here);
         residual[face.surface[0]] += scales.cell[0] * passed;
@@ -209,8 +214,8 @@ float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const S
 void SolidFlow::find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const {
     std::fill(flux.begin(), flux.end(), 0.0f);
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
-        const float passed =
-            0.5f * face.closed * (velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis]) - face.wall;
+        const float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
+        const float passed = numerics::windrow_closed_flux(face.closed, both, face.wall);
         flux[face.surface[0]] -= scales.cell[0] * passed;
         flux[face.surface[1]] += scales.cell[1] * passed;
     });

@@ -19,63 +19,49 @@ struct Contribution {
     glm::vec3 push;
 };
 
-// Weights of a motor along a row of x, written to weights[0] for i = motor.low.x and on. The loops have no branches, so that a
-// compiler vectorises them.
-void weigh_row(const MotorReach& motor, glm::vec3 first_centre, float cell_size, float* weights) {
-    using namespace numerics;
-    const auto along = [&](const auto& weight) {
-        for (int i = motor.low.x; i < motor.high.x; ++i)
-            weights[i - motor.low.x] =
-                weight(glm::vec3(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z));
-    };
+// Weights of a motor along a row of x, written to weights[0] for the first place and on. Shape and law are constants of the loop,
+// which has no branches then, so that a compiler vectorises it.
+template <std::uint32_t Shape, std::uint32_t Law = numerics::windrow_drive>
+void weigh_row(const MotorReach& motor, glm::vec3 row, float cell_size, float* weights) {
     const glm::vec3 centre = motor.centre, extent = motor.extent;
     const float radius = motor.radius, end_radius = motor.end_radius;
-    switch (motor.shape) {
-    case MotorReach::Shape::sphere:
-        return along([&](glm::vec3 p) { return windrow_sphere_weight(p - centre, radius); });
-    case MotorReach::Shape::capsule:
-        return along([&](glm::vec3 p) { return windrow_capsule_weight(p - centre, extent, radius); });
-    case MotorReach::Shape::box:
-        return along([&](glm::vec3 p) { return windrow_box_weight(p - centre, extent); });
-    case MotorReach::Shape::cone:
-    case MotorReach::Shape::jet:
-        return along([&](glm::vec3 p) { return windrow_cone_weight(p - centre, extent, radius, end_radius); });
-    case MotorReach::Shape::vortex:
-        // The swirl has its own falloff across the axis; a drive's rate needs one as well.
-        if (motor.law == MotorReach::Law::force)
-            return along([&](glm::vec3 p) { return windrow_axial_weight(p - centre, extent); });
-        return along([&](glm::vec3 p) { return windrow_whirl_weight(p - centre, extent, radius); });
-    case MotorReach::Shape::path:
-        return along([&](glm::vec3 p) { return windrow_wake_path(p, centre, extent, radius); });
+    const int low = motor.low.x, high = motor.high.x;
+    for (int i = low; i < high; ++i) {
+        const glm::vec3 p(row.x + cell_size * static_cast<float>(i), row.y, row.z);
+        weights[i - low] = numerics::windrow_motor_weight(Shape, Law, p, centre, extent, radius, end_radius);
     }
 }
 
-// Calls visit(i, push) for the cells of one row that the motor reaches.
+constexpr void (*k_weigh_row[])(const MotorReach&, glm::vec3, float, float*) = {
+    weigh_row<0>, weigh_row<1>, weigh_row<2>, weigh_row<3>, weigh_row<4>, weigh_row<5>, weigh_row<6>}; // by shape
+
+// Calls visit(i, contribution) for the cells of one row that the motor reaches.
 template <class Visit>
-void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_size, const numerics::TileView& tile,
-                   const Visit& visit) {
-    using namespace numerics;
+void for_each_cell(const MotorReach& motor, glm::vec3 row, float cell_size, const numerics::TileView& tile, const Visit& visit) {
     std::array<float, k_max_axis_cells> weights;
-    weigh_row(motor, first_centre, cell_size, weights.data());
+    const auto shape = static_cast<std::uint32_t>(motor.shape);
+    const bool axial = shape == numerics::windrow_vortex && motor.law == MotorReach::Law::force;
+    (axial ? weigh_row<numerics::windrow_vortex, numerics::windrow_force> : k_weigh_row[shape])(motor, row, cell_size,
+                                                                                                weights.data());
     const auto along = [&](const auto& push) {
         for (int i = motor.low.x; i < motor.high.x; ++i) {
             const float weight = weights[i - motor.low.x];
             if (!(weight > 0.0f))
                 continue;
-            const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
+            const glm::vec3 p(row.x + cell_size * static_cast<float>(i), row.y, row.z);
             Contribution at{weight, push(p)};
             if (motor.eddies > 0.0f)
-                at.push += (motor.shape == MotorReach::Shape::path ? 1.0f : weight) * motor.eddies *
-                           windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
+                at.push += numerics::windrow_motor_eddies(shape, weight, motor.eddies) *
+                           numerics::windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
             visit(i, at);
         }
     };
     const glm::vec3 centre = motor.centre, extent = motor.extent, given = motor.push;
     const float radius = motor.radius, end_radius = motor.end_radius, lift = motor.lift;
-    if (motor.shape == MotorReach::Shape::jet)
-        along([&](glm::vec3 p) { return given.x * windrow_jet_velocity(p - centre, extent, radius, end_radius); });
-    else if (motor.shape == MotorReach::Shape::vortex)
-        along([&](glm::vec3 p) { return given.x * windrow_swirl_velocity(p - centre, extent, radius, lift); });
+    if (shape == numerics::windrow_jet || shape == numerics::windrow_vortex)
+        along([&](glm::vec3 p) {
+            return numerics::windrow_motor_push(shape, p - centre, given, extent, radius, end_radius, lift);
+        });
     else
         along([&](glm::vec3) { return given; });
 }

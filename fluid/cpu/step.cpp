@@ -44,8 +44,6 @@
 namespace windrow::cpu {
 namespace {
 
-constexpr float k_rounding = 1.00001f; // of a speed that was cut and advected
-
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_min_scale = 1e-6f;
 
@@ -107,7 +105,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     *step.ambient = around_;
     measure(report);
     // What forces and pressure have made of the air since.
-    if (const float most = fastest_carried(dt); config_.stages.advection && report.max_speed > k_rounding * most) {
+    if (const float most = fastest_carried(dt);
+        config_.stages.advection && report.max_speed > numerics::windrow_speed_rounding * most) {
         cut_speeds(most, report);
         measure(report);
     }
@@ -400,15 +399,15 @@ void Cells::limit_speeds(const CellStep& step, Diagnostics& report) {
         work.state().fastest =
             work.state().fastest_by_rows(&air.velocity[0].x) + dt * sources.largest_force() * box().cell_size / box().finest();
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
-    report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
+    report.cfl = numerics::windrow_courant(largest, sources.largest_force(), dt, box().cell_size);
     report.substeps = std::max(step.substeps, 1);
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)
         return;
-    const float wanted = std::ceil(report.cfl / config_.max_cfl);
+    const float wanted = numerics::windrow_wanted_substeps(report.cfl, config_.max_cfl);
     report.substeps_capped =
         wanted > static_cast<float>(config_.max_substeps) && (step.substeps == 0 || step.substeps == config_.max_substeps);
     if (step.substeps == 0)
-        report.substeps = report.substeps_capped ? config_.max_substeps : static_cast<int>(wanted);
+        report.substeps = numerics::windrow_substeps(wanted, config_.max_substeps);
     if (!report.substeps_capped)
         return;
     sources.limit_drives(fastest_carried(dt));
@@ -416,7 +415,7 @@ void Cells::limit_speeds(const CellStep& step, Diagnostics& report) {
 }
 
 float Cells::fastest_carried(float dt) const {
-    return config_.max_cfl * static_cast<float>(config_.max_substeps) * box().cell_size / dt;
+    return numerics::windrow_fastest_carried(config_.max_cfl, config_.max_substeps, box().cell_size, dt);
 }
 
 // The flow of volume sources is scaled by the same factor as the wind that contains it.

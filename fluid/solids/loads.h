@@ -1,4 +1,7 @@
 // What the pressure does to obstacles, and what of it is kept from step to step: plain data of both backends and of snapshots.
+// The impulse is the sum of -phi over the closed faces, the adjoint of what a body's velocity does to the air's divergence.
+//
+// Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26 (pressure on bodies by fractions of faces).
 #pragma once
 
 #include "fluid/obstacle_force.h"

@@ -1,6 +1,7 @@
 // Which parts of a mesh's box are inside and which outside, on a grid: a point far from the surface needs no winding number.
 //
 // A cell that no triangle meets is wholly inside or wholly outside, as are all such cells that touch by a face.
+// Based on: Jacobson, Kavan & Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (inside by the winding number).
 #pragma once
 
 #include "fluid/solids/mesh_tree.h"

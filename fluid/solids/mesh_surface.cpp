@@ -1,5 +1,6 @@
 // An edge between two triangles is passed by one of them from its first end to its second, and by the other back. So a surface is
 // closed, and its winding number is whole, where each edge is passed as often one way as the other.
+// Based on: Jacobson, Kavan & Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (whole winding numbers of closed surfaces).
 #include "fluid/solids/mesh_surface.h"
 
 #include "fluid/core/message.h"

@@ -3,8 +3,9 @@
 // The winding number of a closed surface about a point is the sum of its triangles' solid angles over 4 pi. A part of the tree that
 // is far away counts as a dipole at its centre: N . (c - p) / |c - p|^3, N the sum of its triangles' area vectors.
 //
-// Based on: Barill, Dickson, Schmidt, Levin and Jacobson 2018, "Fast winding numbers for soups and clouds", ACM Transactions on
-// Graphics 37 (the tree); van Oosterom and Strackee 1983, IEEE Transactions on Biomedical Engineering 30 (solid angles).
+// Based on: Jacobson, Kavan and Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (winding numbers of meshes); Barill, Dickson,
+// Schmidt, Levin and Jacobson 2018, ACM Transactions on Graphics 37 (the tree); van Oosterom and Strackee 1983, IEEE Transactions on
+// Biomedical Engineering 30 (solid angles).
 #pragma once
 
 #include "fluid/shapes/triangle_mesh.h"

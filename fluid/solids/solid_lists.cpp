@@ -1,4 +1,5 @@
 // Lists of the faces and cells at obstacles (solids.h), made from the drawings of the bodies.
+// Based on: Guendelman, Selle, Losasso & Fedkiw 2005, ACM Transactions on Graphics 24 (which cells need one-sided reads).
 #include "fluid/solids/solids.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace windrow {
 namespace {
 
 constexpr float k_open_at_most = 6e-3f; // open fractions of a shut cell, all faces together
-constexpr int k_farthest_reach = 6;     // [cells] beyond it every cell counts as beside a thin body
+constexpr int k_farthest_reach = 6;     // [cells] beyond it every cell counts as beside a sub-grid body
 
 } // namespace
 
@@ -237,7 +238,7 @@ const Solids::Drawing::Side* Solids::side_of(const InsideCell& cell, int directi
     return nullptr;
 }
 
-// --- Thin bodies -------------------------------------------------------------------------------------------------------------
+// --- Sub-grid bodies ---------------------------------------------------------------------------------------------------------
 
 void Solids::reach_past_thin(float cells) {
     constexpr int k_node = 2; // of a cubic read, beyond the point

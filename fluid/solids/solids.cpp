@@ -1,3 +1,6 @@
+// Drawings of bodies: which faces they close, and which cells are inside (solids.h). A face's fraction is that of its area where the
+// distance is negative, linear between its corners and its middle.
+// Based on: Ng, Min & Gibou 2009, Journal of Computational Physics 228 (fractions of faces from distances at their corners).
 #include "fluid/solids/solids.h"
 
 #include <algorithm>

@@ -17,6 +17,10 @@
 //
 // A body is drawn once: its closed faces and inside cells, in cells of the world's lattice. A drawing is kept while the body rests
 // there, so a box that moves reads lists and computes no distance, except those of bodies that come into reach.
+//
+// Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26; Ng, Min & Gibou 2009, Journal of Computational Physics
+// 228 (fractions of faces); Buzbee, Dorr, George & Golub 1971, SIAM Journal on Numerical Analysis 8 (a direct solver's box around an
+// irregular domain).
 #pragma once
 
 #include "fluid/allocator.h"
@@ -83,14 +87,13 @@ class Solids {
         std::uint32_t cell = 0, first = 0, count = 0;
     };
     /// A cell beside a ghost. From the air into a body the velocity along the surface stays, and that along its normal is the
-    /// body's own: u + ((U - u) n) n. With the air's own velocity there, air that leaves a wall reads itself and grows without
+    /// body's own (shaders/numerics/closed_face.glsl). With the air's own velocity there, air that leaves a wall reads itself and grows without
     /// bound. With the normals of the cells' faces, air that flows along a slope loses speed at each stair. A mirror,
     /// U + (U - u) beyond the surface, takes a part of the pressure's work on a body that starts: 10 % of its added mass.
     struct GhostSource {
         std::uint32_t cell = 0;
         glm::vec3 normal{0.0f}; ///< out of the surface; 0 beyond the first layer
         float wall = 0.0f;      ///< [m/s] U n
-        [[nodiscard]] glm::vec3 slipping(glm::vec3 u, float across) const { return u + (across - glm::dot(u, normal)) * normal; }
     };
 
     WINDROW_INTERNAL Solids(const Box& box, int pitch);
@@ -118,7 +121,7 @@ class Solids {
     [[nodiscard]] std::span<const std::uint32_t> sheltered() const { return sheltered_; }
     [[nodiscard]] bool is_sheltered(std::uint32_t cell) const { return layers_[cell] > k_ghost_layers; }
 
-    /// Air cells outside of closed rooms from which a read or a trajectory may pass through a thin body.
+    /// Air cells outside of closed rooms from which a read or a trajectory may pass through a sub-grid body.
     [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
     [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
     /// [cells] Thickness of the thinnest body.

@@ -195,7 +195,7 @@ Passes::Around Air::around_obstacles(bool has_past) const {
     if (!solids_ || !solids_->any())
         return {};
     return {.solves = pressure_solves(config_, has_past),
-            .careful = solids_->careful(),
+            .one_sided = solids_->one_sided(),
             .rooms = !solids_->solids().rooms().empty(),
             .loads = finds_forces()};
 }
@@ -204,7 +204,7 @@ Passes::Around Air::around_obstacles(bool has_past) const {
 Passes::Around Air::around_sources() const {
     if (!solids_ || !solids_->any())
         return {};
-    return {.solves = k_first_solves, .careful = false, .rooms = false, .loads = finds_forces()};
+    return {.solves = k_first_solves, .one_sided = false, .rooms = false, .loads = finds_forces()};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

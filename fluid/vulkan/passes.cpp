@@ -146,7 +146,7 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
         "place",           "sources",         "source_flow",  "adjust",     "plan",     "limit",   "diffuse",
-        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_careful",
+        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_one_sided",
         "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "gradient",
         "rooms",           "terms",           "loads",        "lift",       "show",     "report",  "read_cells",
         "read_points"};
@@ -209,10 +209,10 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_padded_cell(Pass::pad, words::pad,
                   of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
                      f.tile, f.solids));
-    for (const bool careful : settings.obstacles ? std::vector{false, true} : std::vector{false})
-        over(cell, over_cells, {yes(careful)})(careful ? Pass::advect_careful : Pass::advect, words::advect,
-                                               of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
-                                                  f.source_flow, f.arrived, f.tile, f.solids));
+    for (const bool one_sided : settings.obstacles ? std::vector{false, true} : std::vector{false})
+        over(cell, over_cells, {yes(one_sided)})(one_sided ? Pass::advect_one_sided : Pass::advect, words::advect,
+                                                 of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
+                                                    f.source_flow, f.arrived, f.tile, f.solids));
     a_plane(Pass::modes_forward, words::modes_forward,
             of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors, f.solids, f.around, f.tile));
     a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
@@ -384,7 +384,7 @@ void Passes::add_substep(std::vector<Stage>& stages, DiffusionMethod most, const
     if (settings_.rough)
         stages.push_back({Pass::stress, {}});
     stages.push_back({Pass::pad, {}});
-    stages.push_back({around.careful ? Pass::advect_careful : Pass::advect, {}});
+    stages.push_back({around.one_sided ? Pass::advect_one_sided : Pass::advect, {}});
     if (settings_.projects)
         add_pressure(stages, 0, around);
     if (settings_.projects && around.loads)

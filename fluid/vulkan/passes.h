@@ -29,25 +29,25 @@ enum class Pass : std::uint8_t {
     diffuse_forward, ///< ... or a direct solve a component
     diffuse_columns,
     diffuse_back,
-    stress,         ///< of rough ground, in columns
-    pad,            ///< gathers what the advection reads
-    advect,         ///< trajectories and interpolation, ...
-    advect_careful, ///< ... or those that stop at thin bodies
-    modes_forward,  ///< the direct solve: right-hand side to modes, ...
-    modes_between,  ///< ... the second axis where a plane does not fit in shared memory, ...
-    columns,        ///< ... the systems along y, ...
-    modes_back,     ///< ... and back to cells
-    residual,       ///< what the first direct solve leaves around obstacles, ...
-    surface,        ///< ... and how far to go along a further one
-    gradient,       ///< what a sub-step ends with
-    rooms,          ///< closed rooms: what the wind, sources and rounding would blow there
-    terms,          ///< the pressure's history at the faces of obstacles that were placed again
-    loads,          ///< forces on obstacles
-    lift,           ///< a box with rows of its own that has risen
-    show,           ///< textures, and the sums of the report
-    report,         ///< the report to the host
-    read_cells,     ///< cells to the host, ...
-    read_points,    ///< ... or the wind at points
+    stress,           ///< of rough ground, in columns
+    pad,              ///< gathers what the advection reads
+    advect,           ///< trajectories and interpolation, ...
+    advect_one_sided, ///< ... or those that stop at sub-grid bodies
+    modes_forward,    ///< the direct solve: right-hand side to modes, ...
+    modes_between,    ///< ... the second axis where a plane does not fit in shared memory, ...
+    columns,          ///< ... the systems along y, ...
+    modes_back,       ///< ... and back to cells
+    residual,         ///< what the first direct solve leaves around obstacles, ...
+    surface,          ///< ... and how far to go along a further one
+    gradient,         ///< what a sub-step ends with
+    rooms,            ///< closed rooms: what the wind, sources and rounding would blow there
+    terms,            ///< the pressure's history at the faces of obstacles that were placed again
+    loads,            ///< forces on obstacles
+    lift,             ///< a box with rows of its own that has risen
+    show,             ///< textures, and the sums of the report
+    report,           ///< the report to the host
+    read_cells,       ///< cells to the host, ...
+    read_points,      ///< ... or the wind at points
     count
 };
 /// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
@@ -119,7 +119,7 @@ class Passes {
     /// What a sub-step does for obstacles.
     struct Around {
         int solves = 0; ///< of the pressure; 0: there are none
-        bool careful = false, rooms = false, loads = false;
+        bool one_sided = false, rooms = false, loads = false;
         friend bool operator==(const Around&, const Around&) = default;
     };
     /// A sub-step, in order, with as much diffusion as it may come to.

@@ -214,9 +214,9 @@ void SolidTables::add_rooms(glm::ivec3 shift) {
         words_.push_back(word(cell));
 }
 
-// --- Reads beside thin bodies ------------------------------------------------------------------------------------------------
+// --- One-sided reads ---------------------------------------------------------------------------------------------------------
 
-// The reach from which the reads of each cell are careful, as Solids::reach_past_thin: the least r for which a face of a body
+// The reach from which the reads of each cell are one-sided, as Solids::reach_past_thin: the least r for which a face of a body
 // thinner than r is not farther than r away. Distances are largest components, so that the axes are done one after another.
 void SolidTables::find_reaches() {
     std::fill(reaches_.begin(), reaches_.end(), k_out_of_reach);

@@ -15,7 +15,7 @@ namespace windrow::vulkan {
 
 class SolidTables {
   public:
-    /// `max_cfl`: of a sub-step; reads of faster air are careful in all cells where a body is thin. `loads`: forces are asked for.
+    /// `max_cfl`: of a sub-step; reads of faster air are one-sided in all cells where a body is sub-grid. `loads`: forces are asked for.
     SolidTables(const Box& box, float max_cfl, bool loads);
 
     /// Replaces all obstacles. `shift`: cells by which the box has moved since the last call. Throws std::bad_alloc.
@@ -24,8 +24,8 @@ class SolidTables {
     [[nodiscard]] bool any() const { return solids_.any(); }
     /// WINDROW_OBSTACLES and the like.
     [[nodiscard]] int flags() const;
-    /// Whether reads may have to be careful.
-    [[nodiscard]] bool careful() const { return (flags() & (WINDROW_THIN | WINDROW_ROOMS)) != 0; }
+    /// Whether reads may have to be one-sided.
+    [[nodiscard]] bool one_sided() const { return (flags() & (WINDROW_THIN | WINDROW_ROOMS)) != 0; }
     [[nodiscard]] const Solids& solids() const { return solids_; }
 
     /// What the device reads: WindrowSolids, then words. The history's places are the caller's to set.
@@ -60,7 +60,7 @@ class SolidTables {
 
     Box box_;
     bool loads_;
-    int farthest_; ///< [cells] reach of a careful read that the bytes know
+    int farthest_; ///< [cells] reach of a one-sided read that the bytes know
     Solids solids_;
     WindrowSolids head_{};
     std::vector<std::int32_t> words_; ///< room for the head, then the tables

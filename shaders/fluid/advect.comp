@@ -19,7 +19,7 @@ layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; 
 #include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
 
-layout(constant_id = 3) const bool k_careful = false; // bodies may be thin, or rooms closed
+layout(constant_id = 3) const bool k_one_sided = false; // bodies may be sub-grid, or rooms closed
 
 ivec3 strides() {
     const int row = tick.cells.x + WINDROW_HALO;
@@ -40,7 +40,7 @@ int locate(ivec3 cell, vec3 displacement, ivec3 stride, bool wraps, out vec3 fra
     return offset;
 }
 
-#include "fluid/careful.glsl"
+#include "fluid/one_sided.glsl"
 
 vec3 lerp(vec3 a, vec3 b, float t) { return a + t * (b - a); }
 
@@ -110,7 +110,7 @@ vec3 history_of(ivec3 cell, int at) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < term_count(record); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * slipping(history[cell_index(term.cell)].xyz, term, 0.0f);
+        sum += term.weight * windrow_slipped(history[cell_index(term.cell)].xyz, term.normal, 0.0f);
     }
     return term_count(record) > 0 ? sum : history[at].xyz;
 }
@@ -140,7 +140,7 @@ vec3 departing_velocity(ivec3 cell) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * slipping(velocity_of(term.cell), term, term.wall);
+        sum += term.weight * windrow_slipped(velocity_of(term.cell), term.normal, term.wall);
     }
     return sum;
 }
@@ -168,11 +168,11 @@ void main() {
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
         if (is_on(WINDROW_GUSTS))
             result += prescribed_carried(result, cell, at, displacement, stride);
-        if (k_careful && has_obstacles()) {
+        if (k_one_sided && has_obstacles()) {
             const int byte = solid_byte(solid_number(cell));
             const bool room = (byte & WINDROW_BYTE_ROOM) != 0;
-            if (room || is_beside_thin(byte))
-                result = careful_result(result, cell, u, room, stride);
+            if (room || is_beside_sub_grid(byte))
+                result = one_sided_result(result, cell, u, room);
         }
     } else {
         const ivec3 place = cell + WINDROW_HALO_LOW;

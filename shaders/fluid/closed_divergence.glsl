@@ -1,14 +1,5 @@
 // Divergence of cells at obstacles. Before this text: solids.glsl, Arrived as `arrived`.
-
-// What the flux through a face counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the
-// wind is part of the velocity beyond the face.
-float blown_past(SolidFace face, int end, vec2 wind) {
-    if (!face_end_is_sheltered(face, end))
-        return 0.0f;
-    const float beyond = wind[1 - end];
-    return 0.5f *
-           (face.closed * (wind[0] + wind[1]) + (face_end_is_sheltered(face, 1 - end) ? 0.0f : (1.0f - face.closed) * beyond));
-}
+#include "numerics/closed_face.glsl"
 
 // `empty`: the divergence of the empty box, times h.
 float closed_divergence(int record, ivec3 cell, float empty) {
@@ -23,15 +14,15 @@ float closed_divergence(int record, ivec3 cell, float empty) {
             const SolidFace face = solid_face(n);
             const ivec3 low = solid_cell(face.cell[0]), high = solid_cell(face.cell[1]);
             const int end = 1 - side; // of this cell
-            float both = arrived[cell_index(low)][axis] + arrived[cell_index(high)][axis];
-            vec2 wind = vec2(0.0f);
+            float both = arrived[cell_index(low)][axis] + arrived[cell_index(high)][axis], past = 0.0f;
             if (is_on(WINDROW_GUSTS)) {
                 const float time = elapsed() + control.substep_duration;
-                wind = vec2(wind_at(low, time, true)[axis], wind_at(high, time, true)[axis]);
+                const vec2 wind = vec2(wind_at(low, time, true)[axis], wind_at(high, time, true)[axis]);
                 both += wind[0] + wind[1];
+                if (face_end_is_sheltered(face, end))
+                    past = windrow_blown_past(face.closed, wind[0] + wind[1], wind[side], face_end_is_sheltered(face, side));
             }
-            float flux =
-                0.5f * face.closed * both - (is_on(WINDROW_BODIES_MOVE) ? face.wall : 0.0f) - blown_past(face, end, wind);
+            float flux = windrow_closed_flux(face.closed, both, is_on(WINDROW_BODIES_MOVE) ? face.wall : 0.0f) - past;
             if (k_own_rows && axis == 1)
                 flux *= row_scale(cell.y);
             sum += end == 0 ? -flux : flux;

@@ -1,7 +1,9 @@
-// Differences of phi over closed faces. Before this text: solids.glsl, around.glsl.
+// Slopes of phi over closed faces. Before this text: solids.glsl, around.glsl.
+#include "numerics/closed_face.glsl"
 
 float slope_over(SolidFace face) {
-    return face.closed * (phi_at(cell_index(solid_cell(face.cell[1]))) - phi_at(cell_index(solid_cell(face.cell[0]))));
+    return windrow_closed_slope(face.closed, phi_at(cell_index(solid_cell(face.cell[0]))),
+                                phi_at(cell_index(solid_cell(face.cell[1]))));
 }
 
 // What the closed faces of a cell take off its gradient; `above`: the differences over those at its high ends.

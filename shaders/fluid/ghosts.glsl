@@ -1,5 +1,6 @@
 // Cells inside bodies that a read from outside reaches: their value is a weighted sum of the air's around them, each slipping
 // along the body's surface (SolidFlow::extend on the CPU). Before this text: prescribed.glsl.
+#include "numerics/closed_face.glsl"
 
 struct AirTerm {
     ivec3 cell;
@@ -31,8 +32,6 @@ AirTerm term_of(ivec3 cell, int record, int n) {
     return own;
 }
 
-vec3 slipping(vec3 value, AirTerm term, float wall) { return value + (wall - dot(value, term.normal)) * term.normal; }
-
 // The wall's velocity less the prescribed wind's.
 float wall_of(AirTerm term, int record) {
     const bool blows = is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED) && term.normal != vec3(0.0f);
@@ -46,7 +45,7 @@ vec3 solved_cell(ivec3 cell, int record) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * slipping(solved_part(term.cell, cell_index(term.cell)), term, wall_of(term, record));
+        sum += term.weight * windrow_slipped(solved_part(term.cell, cell_index(term.cell)), term.normal, wall_of(term, record));
     }
     return sum;
 }

@@ -8,6 +8,7 @@
 #define WINDROW_READS_TILE 7
 #include "fluid/pass.glsl"
 #include "fluid/stencil.glsl"
+#include "numerics/substeps.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; };
@@ -85,9 +86,9 @@ void main() {
     }
     // What forces and pressure made of it since is cut too (limit.comp).
     if (is_on(WINDROW_ADVECTS) && push.substep + 1 == control.substeps) {
-        const float most = tick.max_cfl * float(tick.max_substeps) * tick.cell_size / tick.duration,
+        const float most = windrow_fastest_carried(tick.max_cfl, tick.max_substeps, tick.cell_size, tick.duration),
                     largest = largest_component(u);
-        if (largest > 1.00001f * most) { // rounding
+        if (largest > windrow_speed_rounding * most) {
             u *= most / largest;
             if (is_on(WINDROW_HAS_SOURCE_FLOW))
                 source_flow[at] *= most / largest;

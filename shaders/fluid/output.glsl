@@ -13,6 +13,7 @@ layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion
 layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
 #define WINDROW_SOLIDS 7
 #include "fluid/solids.glsl"
+#include "numerics/closed_face.glsl"
 #ifdef WINDROW_VECTORS
 #define WINDROW_FIRST_AXIS 9
 layout(WINDROW_VECTORS, set = 0, binding = 8) writeonly uniform image3D vectors;
@@ -49,10 +50,9 @@ float through_closed_faces(int record, float scale) {
             if (n < 0)
                 continue;
             const SolidFace face = solid_face(n);
-            const float passed = 0.5f * face.closed *
-                                     (WINDROW_FIELD(cell_index(solid_cell(face.cell[0])))[axis] +
-                                      WINDROW_FIELD(cell_index(solid_cell(face.cell[1])))[axis]) -
-                                 face.wall;
+            const float both = WINDROW_FIELD(cell_index(solid_cell(face.cell[0])))[axis] +
+                               WINDROW_FIELD(cell_index(solid_cell(face.cell[1])))[axis];
+            const float passed = windrow_closed_flux(face.closed, both, face.wall);
             sum += axis == 1 ? (end == 1 ? -scale : scale) * passed : end == 1 ? -passed : passed;
         }
     return sum;

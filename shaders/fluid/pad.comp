@@ -113,9 +113,9 @@ void main() {
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
         const Departing source = departing(term.cell, record_at(term.cell));
-        air.carried += term.weight * slipping(source.carried, term, wall_of(term, record));
-        air.held += term.weight * slipping(source.held, term, 0.0f);
-        air.trace += term.weight * slipping(source.trace, term, term.wall);
+        air.carried += term.weight * windrow_slipped(source.carried, term.normal, wall_of(term, record));
+        air.held += term.weight * windrow_slipped(source.held, term.normal, 0.0f);
+        air.trace += term.weight * windrow_slipped(source.trace, term.normal, term.wall);
     }
     vec3 carried = relaxed(air.carried, cell, record), u = air.trace;
     if (!identity) {

@@ -6,6 +6,7 @@
 #define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 #include "numerics/diffusion.glsl"
+#include "numerics/substeps.glsl"
 
 // How many passes a sub-step has, and the work groups of each; then those of each sub-step after the first.
 layout(std430, set = 0, binding = 2) readonly buffer Shapes {
@@ -16,11 +17,11 @@ layout(std430, set = 0, binding = 3) writeonly buffer Commands { uint commands[]
 
 void main() {
     const float dt = tick.duration, h = tick.cell_size, max_cfl = tick.max_cfl;
-    const float fastest = uintBitsToFloat(control.fastest_component) + dt * uintBitsToFloat(control.largest_force);
-    const float cfl = fastest * dt / h;
+    const float cfl = windrow_courant(uintBitsToFloat(control.fastest_component), uintBitsToFloat(control.largest_force), dt, h);
     const bool catches_up = control.carried_time > 0.0f;
     const float time = dt + control.carried_time; // [s] from where the air is to the tick's end
-    const bool capped = is_on(WINDROW_ADVECTS) && ceil(cfl / max_cfl) > float(tick.max_substeps) && is_on(WINDROW_LIMITS);
+    const bool capped =
+        is_on(WINDROW_ADVECTS) && windrow_wanted_substeps(cfl, max_cfl) > float(tick.max_substeps) && is_on(WINDROW_LIMITS);
     int substeps = 1;
     float part = time;
     if (tick.forced_substeps > 0) {
@@ -30,9 +31,8 @@ void main() {
         // Courant numbers of all this time, once speeds are cut.
         const float courant =
             min(catches_up ? cfl * (time / dt) : cfl, capped ? max_cfl * float(tick.max_substeps) * (time / dt) : 3.0e38f);
-        const float wanted = max(ceil(courant / max_cfl), 1.0f);
-        substeps = int(min(wanted, float(tick.recorded_substeps)));
-        part = courant > 1.00001f * max_cfl * float(substeps) ? time * (max_cfl / courant) : time / float(substeps);
+        substeps = windrow_substeps(windrow_wanted_substeps(courant, max_cfl), tick.recorded_substeps);
+        part = courant > windrow_speed_rounding * max_cfl * float(substeps) ? time * (max_cfl / courant) : time / float(substeps);
     }
     barrier(); // all have read what the first now writes
     if (gl_GlobalInvocationID.x == 0) {
@@ -59,7 +59,7 @@ void main() {
         control.carried_time = part * float(substeps) < 0.99999f * time ? time - part * float(substeps) : 0.0f;
         control.previous_duration = control.substep_duration;
         control.substep_duration = part;
-        control.max_speed = capped ? max_cfl * float(tick.max_substeps) * h / dt : 1.0e30f;
+        control.max_speed = capped ? windrow_fastest_carried(max_cfl, tick.max_substeps, h, dt) : 1.0e30f;
         control.cfl = cfl;
     }
     const uint entries = uint(tick.recorded_substeps - 1) * passes;

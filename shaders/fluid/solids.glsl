@@ -79,7 +79,7 @@ vec3 body_velocity(int body, vec3 place) {
     return solid_vec3(at) + cross(solid_vec3(at + 3), place - solid_vec3(at + 6));
 }
 
-// A byte of a cell: its blocked faces, what it is, and the reach of a read that may pass through a thin body.
+// A byte of a cell: its blocked faces, what it is, and the reach of a read that may pass through a sub-grid body.
 int solid_byte(int number) { return solid_words[solids.bytes + (number >> 2)] >> (8 * (number & 3)) & 255; }
 
 #endif

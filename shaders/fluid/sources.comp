@@ -32,30 +32,6 @@ shared uint group_in_rows;
 
 vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
 
-// xyz the push, w the weight of a motor at a place [m from the box's low corner].
-vec4 push_at(int n, vec3 p) {
-    const uint shape = motors[n].shape;
-    const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent), push = from(motors[n].push);
-    const float radius = motors[n].radius;
-    if (shape == windrow_sphere)
-        return vec4(push, windrow_sphere_weight(p - centre, radius));
-    if (shape == windrow_capsule)
-        return vec4(push, windrow_capsule_weight(p - centre, extent, radius));
-    if (shape == windrow_box)
-        return vec4(push, windrow_box_weight(p - centre, extent));
-    if (shape == windrow_cone)
-        return vec4(push, windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
-    if (shape == windrow_jet)
-        return vec4(push.x * windrow_jet_velocity(p - centre, extent, radius, motors[n].end_radius),
-                    windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
-    if (shape == windrow_vortex) {
-        const float weight = motors[n].law == windrow_force ? windrow_axial_weight(p - centre, extent)
-                                                            : windrow_whirl_weight(p - centre, extent, radius);
-        return vec4(push.x * windrow_swirl_velocity(p - centre, extent, radius, motors[n].lift), weight);
-    }
-    return vec4(push, windrow_wake_path(p, centre, extent, radius));
-}
-
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (gl_LocalInvocationIndex == 0) {
@@ -76,19 +52,23 @@ void main() {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
                 any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
                 continue;
-            vec4 motor = push_at(n, p);
-            if (!(motor.w > 0.0f))
+            const uint shape = motors[n].shape, law = motors[n].law;
+            const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent);
+            const float radius = motors[n].radius, end_radius = motors[n].end_radius;
+            const float weight = windrow_motor_weight(shape, law, p, centre, extent, radius, end_radius);
+            if (!(weight > 0.0f))
                 continue;
+            vec3 each = windrow_motor_push(shape, p - centre, from(motors[n].push), extent, radius, end_radius, motors[n].lift);
             if (motors[n].eddies > 0.0f)
-                motor.xyz += (motors[n].shape == windrow_path ? 1.0f : motor.w) * motors[n].eddies *
-                             windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
-            if (motors[n].law == windrow_force) {
-                pushed += motor.w * motor.xyz;
-            } else if (motors[n].law == windrow_drive) {
-                const float exponent = motor.w * motors[n].amount;
-                driven += vec4(exponent * motor.xyz, exponent);
+                each += windrow_motor_eddies(shape, weight, motors[n].eddies) *
+                        windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
+            if (law == windrow_force) {
+                pushed += weight * each;
+            } else if (law == windrow_drive) {
+                const float exponent = weight * motors[n].amount;
+                driven += vec4(exponent * each, exponent);
             } else {
-                let_in += motor.w * motors[n].amount;
+                let_in += weight * motors[n].amount;
             }
         }
         if (tick.exposes != 0 && is_exposed(cell, tick.shift)) {

@@ -4,7 +4,7 @@
 // With L the Laplacian of the empty box and B the part of it that passes through closed faces, (L - B) phi = div w. The first solve
 // is L phi = div w + B phi_guess, whose residual B (phi - phi_guess) is 0 away from the surface. Then conjugate gradients with L as
 // the preconditioner: z = L^-1 r, d = z + beta d, phi += alpha d. A d = L d - B d is found on the surface, since L z = r.
-// As fluid/cpu/pressure.cpp, solve_around.
+// As fluid/cpu/pressure.cpp, solve_around, and based on the same.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 10
@@ -81,8 +81,8 @@ void begin(int local) {
             if (n < 0)
                 continue;
             const SolidFace between = solid_face(n);
-            float slope = between.closed * (potential[cell_index(solid_cell(between.cell[1]))] -
-                                            potential[cell_index(solid_cell(between.cell[0]))]);
+            float slope = windrow_closed_slope(between.closed, potential[cell_index(solid_cell(between.cell[0]))],
+                                               potential[cell_index(solid_cell(between.cell[1]))]);
             if (scale > 0.0f)
                 slope -= scale * around_words[solids.history + n];
             slope *= exchange(cell, face / 2, face % 2);
@@ -144,9 +144,9 @@ void improve(int local) {
             if (n < 0)
                 continue;
             const SolidFace between = solid_face(n);
-            const float slope =
-                exchange(cell, face / 2, face % 2) * between.closed *
-                (around_words[word(between.surface[1], k_along)] - around_words[word(between.surface[0], k_along)]);
+            const float slope = exchange(cell, face / 2, face % 2) *
+                                windrow_closed_slope(between.closed, around_words[word(between.surface[0], k_along)],
+                                                     around_words[word(between.surface[1], k_along)]);
             applied += face % 2 == 1 ? -slope : slope;
         }
         around_words[word(s, 3)] = applied;

@@ -134,6 +134,34 @@ WINDROW_FN float windrow_wake_path(vec3 p, vec3 start, vec3 end, float radius) {
     return radius * (windrow_falloff_primitive(a, last) - windrow_falloff_primitive(a, first));
 }
 
+// Weight of a motor at a place, and its push there; fluid/motor_reach.h has what it is made of.
+WINDROW_FN float windrow_motor_weight(uint shape, uint law, vec3 p, vec3 centre, vec3 extent, float radius, float end_radius) {
+    if (shape == windrow_sphere)
+        return windrow_sphere_weight(p - centre, radius);
+    if (shape == windrow_capsule)
+        return windrow_capsule_weight(p - centre, extent, radius);
+    if (shape == windrow_box)
+        return windrow_box_weight(p - centre, extent);
+    if (shape == windrow_cone || shape == windrow_jet)
+        return windrow_cone_weight(p - centre, extent, radius, end_radius);
+    if (shape == windrow_path)
+        return windrow_wake_path(p, centre, extent, radius);
+    // The swirl has its own falloff across the axis; a drive's rate needs one as well.
+    return law == windrow_force ? windrow_axial_weight(p - centre, extent) : windrow_whirl_weight(p - centre, extent, radius);
+}
+
+// `off`: from the centre; `given`: the push, of jets and vortices its size in x.
+WINDROW_FN vec3 windrow_motor_push(uint shape, vec3 off, vec3 given, vec3 extent, float radius, float end_radius, float lift) {
+    if (shape == windrow_jet)
+        return given.x * windrow_jet_velocity(off, extent, radius, end_radius);
+    return shape == windrow_vortex ? given.x * windrow_swirl_velocity(off, extent, radius, lift) : given;
+}
+
+// Factor on the gust tile, which is added to the push.
+WINDROW_FN float windrow_motor_eddies(uint shape, float weight, float eddies) {
+    return (shape == windrow_path ? 1.0f : weight) * eddies;
+}
+
 // Velocity after `exponent` of drives toward their mean, `drives` = (sum E U, E).
 WINDROW_FN vec3 windrow_driven(vec3 u, vec4 drives, float exponent) {
     return drives.w > 0.0f ? u + (1.0f - exp(-exponent)) * (vec3(drives) / drives.w - u) : u;

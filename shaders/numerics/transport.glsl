@@ -32,6 +32,13 @@ WINDROW_FN WindrowPlace windrow_place(float cell, float displacement, float low,
     return place;
 }
 
+// The cell of an axis that one beyond its ends repeats, continues or, at a wall, mirrors.
+WINDROW_FN int windrow_cell_beyond(int cell, int count, bool periodic, bool open) {
+    if (periodic)
+        return (cell % count + count) % count;
+    return clamp(open ? cell : cell < 0 ? -1 - cell : 2 * count - 1 - cell, 0, count - 1);
+}
+
 // Lagrange weights of the nodes -1, 1 and 2 at t in [0, 1]; node 0 takes what is left of 1.
 WINDROW_FN vec3 windrow_cubic_weights(float t) {
     float a = t - 1.0f;
