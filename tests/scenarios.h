@@ -206,7 +206,8 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         [](WindControl& wind, int n) {
                             must(wind.obstacles().move(obstacle_id(), {-0.8 + 0.012 * (n + 1), 0.1, 0.3}));
                         },
-                    .steps = 40}); // its sources take a software device half a second each
+                    .steps = 40, // its sources take a software device half a second each
+                    .chaotic = true});
     rows.push_back({.name = "sleep",
                     .config =
                         [](Config& c) {
