@@ -1,8 +1,8 @@
 // Based on: ephtracy, "MagicaVoxel .vox File Format", version 150.
 #include "scene/vox_file.h"
 
-#include "fluid/core/message.h"
 #include "fluid/core/bytes.h"
+#include "fluid/core/message.h"
 
 #include <span>
 

@@ -16,7 +16,8 @@ constexpr const char* k_slow_under_asan =
     ":GroundWalkers.InACrowd*:WindSubsteps.ATickRecords*:WindSubsteps.Obstacles*:WindBoxes.OfTheDefault*:Rooms.WallsAlone*"
     ":Rooms.KeepTheAir*:ObstacleForces.AreNormal*:ObstacleForces.ABallThatSpeeds*:ObstacleStability.Plates*"
     ":ObstacleStability.BodiesOfEvery*:ObstacleStability.Hills*:ObstacleFlows.OneSolve*:Terrain.*"
-    ":*OfTheCpu/*_rests:*OfTheCpu/*_moves:*OfTheCpu/*_turns:*OfTheCpu/thin_wall*:*OfTheCpu/fast_air*:*OfTheCpu/random_2*:*OfTheCpu/random_3*"
+    ":*OfTheCpu/*_rests:*OfTheCpu/*_moves:*OfTheCpu/*_turns:*OfTheCpu/thin_wall*:*OfTheCpu/fast_air*:*OfTheCpu/"
+    "random_2*:*OfTheCpu/random_3*"
     ":*OfTheCpu/random_4*:*OfTheCpu/random_5*:*OfTheCpu/random_6*:*OfTheCpu/random_7*:*OfTheCpu/random_8*:*OfTheCpu/random_9*";
 
 } // namespace
