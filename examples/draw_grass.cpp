@@ -1,4 +1,4 @@
-// Tutorial: grass in the wind, drawn by windrow::vegetation.
+// Tutorial: grass in the wind, drawn by the renderer of this repository.
 //
 //     draw_grass [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (grass): frame_0001.ppm ...
 //
@@ -7,6 +7,9 @@
 // 3. Add what is to be drawn: here a layer of grass on all of the ground. Whatever derives from render::Drawable will do.
 // 4. In each frame record the wind, then the renderer: shadows, light, motion since the last frame, the toned picture.
 
+#include "vegetation/render/grass_layer.h"
+#include "vegetation/render/renderer.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -14,8 +17,6 @@
 #include <filesystem>
 #include <string_view>
 #include <vulkan/vulkan.h>
-#include <windrow/vegetation/render/grass_layer.h>
-#include <windrow/vegetation/render/renderer.h>
 
 using namespace windrow::vegetation;
 

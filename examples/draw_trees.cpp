@@ -1,4 +1,4 @@
-// Tutorial: trees in the wind, drawn by windrow::vegetation.
+// Tutorial: trees in the wind, drawn by the renderer of this repository.
 //
 //     draw_trees [KIND [WIND [FRAMES]]]    KIND oak, birch, spruce, bush: that one alone; all (default): groves
 //                                          WIND [m/s] at 10 m, 0 to 40 (default 6); FRAMES of 1/30 s (default 1), in folder trees
@@ -7,14 +7,15 @@
 // 3. Each frame: the wind, then the renderer (examples/draw_grass.cpp has its steps). The stand bends trunk, limbs and twigs by
 // the wind at each of them, and lets them swing.
 
+#include "vegetation/render/renderer.h"
+#include "vegetation/trees/tree_stand.h"
+
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vulkan/vulkan.h>
-#include <windrow/vegetation/render/renderer.h>
-#include <windrow/vegetation/trees/tree_stand.h>
 
 using namespace windrow::vegetation;
 
