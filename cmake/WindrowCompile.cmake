@@ -46,8 +46,7 @@ endfunction()
 set(WINDROW_INCLUDE ${PROJECT_BINARY_DIR}/include)
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt WINDROW_PUBLIC_HEADERS REGEX "^[^#]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
-file(GLOB formulas RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
-     ${PROJECT_SOURCE_DIR}/shaders/numerics/*.glsl ${PROJECT_SOURCE_DIR}/vegetation/shaders/numerics/*.glsl)
+file(GLOB formulas RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/shaders/numerics/*.glsl)
 file(REMOVE_RECURSE ${WINDROW_INCLUDE}/windrow)
 foreach(file IN LISTS WINDROW_PUBLIC_HEADERS formulas)
   string(REPLACE "c_api/windrow.h" "windrow.h" name ${file}) # the C interface: #include <windrow/windrow.h>

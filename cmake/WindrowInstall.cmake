@@ -1,16 +1,13 @@
-# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan c
-# vegetation):
+# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan c):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include <windrow/fluid/wind.h>
-#   include/windrow/shaders/numerics the formulas that these include, and vegetation/shaders/numerics
+#   include/windrow/shaders/numerics the formulas that these include
 #   lib/libwindrow_*                 one library and one export set a component; vulkan has two libraries
 #   include/windrow/windrow.h        with the component c: the C interface, whose parts are in c_api/
 #   lib/cmake/windrow/               the package files
 #   lib/pkgconfig/windrow-*.pc       one a component, for builds without CMake
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
-#   share/windrow/vegetation/shaders   with the component vegetation: what a host includes that draws grass itself, and the
-#                                    formulas of the headers
 #   share/windrow/scenes             scenes, and their schema for editors; pictures and meshes that are made are left out
 #   share/doc/windrow                README, CHANGELOG, the pages of docs/ with their pictures, LICENSE
 #   bin/windrow, bin/windrow-draw    the programs, where they are built, with their page of the manual and completion for bash and zsh
@@ -77,21 +74,6 @@ if(TARGET windrow_c)
   list(APPEND components c)
 endif()
 
-if(TARGET windrow_vegetation)
-  foreach(folder IN ITEMS pictures vegetation/fur vegetation/grass vegetation/render vegetation/trees vegetation/vulkan)
-    windrow_install_headers(${folder})
-  endforeach()
-  install(TARGETS windrow_vegetation EXPORT windrow_vegetation)
-  install(TARGETS windrow_draw)
-  list(APPEND programs windrow_draw)
-  set(vegetation_shaders ${PROJECT_SOURCE_DIR}/vegetation/shaders)
-  install(FILES ${vegetation_shaders}/grass/grass_blade.glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow/vegetation/shaders/grass)
-  foreach(folder IN ITEMS ${CMAKE_INSTALL_DATADIR}/windrow ${header_dir})
-    install(DIRECTORY ${vegetation_shaders}/numerics DESTINATION ${folder}/vegetation/shaders FILES_MATCHING PATTERN "*.glsl")
-  endforeach()
-  list(APPEND components vegetation)
-endif()
-
 # windrow_pkg_config(COMPONENT [LIBRARY...] [NEEDS COMPONENT...] [SYSTEM FLAG...]): windrow-COMPONENT.pc, found beside the
 # libraries wherever the whole is moved. FLAGs are what a static archive leaves to its consumers.
 function(windrow_pkg_config component)
@@ -141,13 +123,14 @@ endif()
 if(c IN_LIST components)
   windrow_pkg_config(c windrow)
 endif()
-if(vegetation IN_LIST components)
-  windrow_pkg_config(vegetation windrow_vegetation NEEDS coupling_vulkan SYSTEM -lvulkan)
-endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/shaders/coupling DESTINATION ${shader_dir}
         FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
 
+if(TARGET windrow_draw)
+  install(TARGETS windrow_draw)
+  list(APPEND programs windrow_draw)
+endif()
 if(TARGET windrow_cli)
   install(TARGETS windrow_cli)
   list(APPEND programs windrow_cli)

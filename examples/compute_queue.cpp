@@ -12,14 +12,14 @@
 #include "examples/queue_lane.h"
 #include "shader_words/slice_frag.h"
 #include "shader_words/slice_vert.h"
+#include "vegetation/vulkan/canvas.h"
+#include "vegetation/vulkan/wind_set.h"
 
 #include <charconv>
 #include <cstdio>
 #include <string_view>
 #include <vulkan/vulkan.h>
 #include <windrow/fluid/vulkan/own_device.h>
-#include <windrow/vegetation/vulkan/canvas.h>
-#include <windrow/vegetation/vulkan/wind_set.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace vulkan = windrow::vulkan;

@@ -17,13 +17,13 @@
 #include "shader_words/air_frag.h"
 #include "shader_words/plane_vert.h"
 #include "shader_words/probe_frag.h"
+#include "vegetation/vulkan/canvas.h"
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/vulkan/wind_set.h"
 
 #include <cstdio>
 #include <fstream>
 #include <glm/common.hpp>
-#include <windrow/vegetation/vulkan/canvas.h>
-#include <windrow/vegetation/vulkan/frames.h>
-#include <windrow/vegetation/vulkan/wind_set.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace words = windrow::vulkan::shader_words;

@@ -1,4 +1,4 @@
-// Tutorial: grass in the wind, drawn by windrow::vegetation.
+// Tutorial: grass in the wind, drawn by the renderer of this repository.
 //
 //     draw_grass [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (grass): frame_0001.ppm ...
 //
@@ -7,32 +7,20 @@
 // 3. Add what is to be drawn: here a layer of grass on all of the ground. Whatever derives from render::Drawable will do.
 // 4. In each frame record the wind, then the renderer: shadows, light, motion since the last frame, the toned picture.
 
+#include "examples/held.h"
+#include "vegetation/render/grass_layer.h"
+#include "vegetation/render/renderer.h"
+
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <vulkan/vulkan.h>
-#include <windrow/vegetation/render/grass_layer.h>
-#include <windrow/vegetation/render/renderer.h>
 
 using namespace windrow::vegetation;
 
 namespace {
-
-[[noreturn]] void give_up(const std::string& sentence, int code = 2) {
-    std::fprintf(stderr, "%s\n", sentence.c_str());
-    std::exit(code);
-}
-
-template <class T>
-T held(windrow::Result<T> result, int code = 2) {
-    if (!result)
-        give_up(result.error(), code);
-    if constexpr (!std::is_void_v<T>)
-        return *std::move(result);
-}
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]
 constexpr double k_settle = 2.0;                    // [s] of wind before the first picture

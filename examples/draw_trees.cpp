@@ -1,4 +1,4 @@
-// Tutorial: trees in the wind, drawn by windrow::vegetation.
+// Tutorial: trees in the wind, drawn by the renderer of this repository.
 //
 //     draw_trees [KIND [WIND [FRAMES]]]    KIND oak, birch, spruce, bush: that one alone; all (default): groves
 //                                          WIND [m/s] at 10 m, 0 to 40 (default 6); FRAMES of 1/30 s (default 1), in folder trees
@@ -7,14 +7,15 @@
 // 3. Each frame: the wind, then the renderer (examples/draw_grass.cpp has its steps). The stand bends trunk, limbs and twigs by
 // the wind at each of them, and lets them swing.
 
+#include "examples/held.h"
+#include "vegetation/render/renderer.h"
+#include "vegetation/trees/tree_stand.h"
+
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vulkan/vulkan.h>
-#include <windrow/vegetation/render/renderer.h>
-#include <windrow/vegetation/trees/tree_stand.h>
 
 using namespace windrow::vegetation;
 
@@ -25,25 +26,12 @@ constexpr glm::dvec3 k_field{4.0e5, 120.0, -2.5e5}; // [m] far from the world's 
 constexpr const char* k_usage =
     "usage: draw_trees [KIND [WIND [FRAMES]]], KIND oak, birch, spruce, bush or all, WIND 0 to 40 m/s, FRAMES 1 to 9999";
 
-[[noreturn]] void give_up(const std::string& sentence, int code) {
-    std::fprintf(stderr, "%s\n", sentence.c_str());
-    std::exit(code);
-}
-
-template <class T>
-T held(windrow::Result<T> result, int code = 2) {
-    if (!result)
-        give_up(result.error(), code);
-    if constexpr (!std::is_void_v<T>)
-        return *std::move(result);
-}
-
 template <class T>
 T number(int count, char** arguments, int which, T otherwise) {
     const std::string text = count > which ? arguments[which] : "";
     const auto read = std::from_chars(text.data(), text.data() + text.size(), otherwise);
     if (count > which && (read.ec != std::errc{} || read.ptr != text.data() + text.size()))
-        give_up(k_usage, 2);
+        give_up(k_usage);
     return otherwise;
 }
 
@@ -96,7 +84,7 @@ int main(int argument_count, char** arguments) {
     const auto speed = number(argument_count, arguments, 2, 6.0f);
     const int frames_wanted = number(argument_count, arguments, 3, 1);
     if (argument_count > 4 || !(speed >= 0.0f && speed <= 40.0f) || frames_wanted < 1 || frames_wanted > 9999)
-        give_up(k_usage, 2);
+        give_up(k_usage);
     std::error_code ignored; // write_ppm reports a folder that cannot be made
     std::filesystem::create_directories("trees", ignored);
     render::Scene scene = scene_of(speed);

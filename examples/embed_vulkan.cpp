@@ -17,15 +17,15 @@
 #include "shader_words/grass_vert.h"
 #include "shader_words/sky_frag.h"
 #include "shader_words/sky_vert.h"
+#include "vegetation/vulkan/canvas.h"
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/vulkan/wind_set.h"
 
 #include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vulkan/vulkan.h>
-#include <windrow/vegetation/vulkan/canvas.h>
-#include <windrow/vegetation/vulkan/frames.h>
-#include <windrow/vegetation/vulkan/wind_set.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace words = windrow::vulkan::shader_words;

@@ -10,6 +10,13 @@ file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/windrow ${WORK}/prefix
 if(NOT "fluid/wind.h" IN_LIST headers)
   message(FATAL_ERROR "fluid/wind.h is not installed")
 endif()
+# Neither headers nor formulas of the renderer are.
+file(GLOB_RECURSE installed RELATIVE ${WORK}/prefix ${WORK}/prefix/include/* ${WORK}/prefix/lib*/* ${WORK}/prefix/share/windrow/shaders/*)
+if(installed MATCHES "[^;]*(vegetation|grass|strand_field|tree_levels|cloud|sky)[^;]*")
+  message(FATAL_ERROR "${CMAKE_MATCH_0} of the renderer is installed")
+endif()
+run("Compiling a host's shader" ${GLSLANG} --quiet -V --target-env vulkan1.2 -I${WORK}/prefix/share/windrow/shaders
+  -o ${WORK}/plant.spv ${SOURCE}/plant.vert)
 # windrow::vulkan takes all calls from the host: it opens no library and needs no symbol of a loader.
 if(VULKAN)
   file(GLOB_RECURSE library ${WORK}/prefix/libwindrow_vulkan.*)
@@ -42,8 +49,8 @@ endif()
 if(VULKAN)
   list(APPEND components vulkan)
 endif()
-if(VEGETATION)
-  list(APPEND components vegetation)
+if(COUPLING AND VULKAN)
+  list(APPEND components coupling_vulkan)
 endif()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=${CONFIG}
               -D CMAKE_CXX_FLAGS_RELEASE=-O0 # a consumer is compiled to see that it compiles

@@ -22,7 +22,7 @@ OPENIMAGEIO = ("OpenImageIO/*",)
 JSON = ("nlohmann/*",)
 ASSIMP = ("assimp/*",)
 FOLDERS_OF_OURS = tuple(f"{folder}/*" for folder in FOLDERS)
-# Production code: target folders that none of it knows, `tests` first of all. Examples may use public headers alone, see below.
+# Production code: target folders that none of it knows, `tests` first of all. Examples: see below.
 ABOVE = {
     "fluid": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "coupling": ("c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
@@ -53,6 +53,7 @@ USES_DEVICES = ("cli/*", "coupling/vulkan/*", "vegetation/*", "tests/*")
 # Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
 FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
+BESIDE_RENDERER = tuple(f"vegetation/{folder}/*" for folder in FILES_AND_PROGRAM + TESTS_AND_BENCH)
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
 # The layers that make Vulkan objects, tests of them, and a host of two queues. The command draws without vegetation/, which a portable build lacks.
 MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
@@ -109,19 +110,19 @@ def breaches_of_include(root, file, name, public):
         yield f"{top} does not know vegetation: it is built without it"
     if top == "vegetation" and not tested and (len(folders) == 1 or folders[1] not in FILES_AND_PROGRAM):
         if target_top == "scene" or matches(name, JSON + ASSIMP + OPENIMAGEIO) or target == "pictures/picture_files.h":
-            yield "windrow::vegetation is a library without files: no scene, JSON, mesh or picture files"
+            yield "the renderer is a library without files: no scene, JSON, mesh or picture files"
         if target_top == "vegetation" and len(target_folders) > 1 and target_folders[1] in FILES_AND_PROGRAM + TESTS_AND_BENCH:
-            yield f"windrow::vegetation does not know vegetation/{target_folders[1]}"
+            yield f"the renderer does not know vegetation/{target_folders[1]}"
     if matches(name, VULKAN) and "vulkan" not in folders and top not in ("vegetation", "examples", "tests"):
         yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
     if matches(name, OPENVDB) and top not in ("cases", "tests") and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):
         yield "OpenVDB's headers belong in one .cpp of fluid/vdb, in cases and in tests"
     if matches(name, OPENIMAGEIO) and top not in ("pictures", "vegetation", "tests"):
         yield "OpenImageIO's headers belong in pictures, vegetation/files and tests: it brings 261 libraries"
-    if top == "examples" and target_top in FOLDERS and target_top not in ("examples", "shaders") and target not in public:
-        yield "examples show what a user can do: public headers only (cmake/public_headers.txt)"
-    if here in public and target_top in ("fluid", "coupling", "pictures", "vegetation") and target not in public and (
-            not target or not target.endswith(".glsl")):
+    renderer = target_top == "vegetation" and not users_name and not matches(target or name, BESIDE_RENDERER)
+    if top == "examples" and target_top in FOLDERS and target_top not in ("examples", "shaders") and target not in public and not renderer:
+        yield 'examples show what a user can do: installed headers (cmake/public_headers.txt), and the renderer as "vegetation/..."'
+    if here in public and target_top in ("fluid", "coupling") and target not in public and (not target or not target.endswith(".glsl")):
         yield "a public header may only include public ones (cmake/public_headers.txt)"
     if top == "examples" and target in public and not users_name:
         yield f"users write <windrow/{target}>"

@@ -2,7 +2,7 @@
 //
 //     #define WINDROW_SET 0                              // the wind's, windrow_wind.glsl
 //     #define GRASS_SET 1                                // GrassField::layout(); default 1
-//     #include "shaders/coupling/windrow_plants.glsl"        // -I the folder that holds shaders/ and vegetation/
+//     #include "shaders/coupling/windrow_plants.glsl"        // -I the root of the repository
 //     #include "vegetation/shaders/grass/grass_blade.glsl"
 //     layout(push_constant) uniform Told { uvec2 grass_draw; };      // at GrassPass::push_offset; GrassField::draw pushes it
 //     GrassBlade blade = grass_blade(grass_draw, gl_InstanceIndex);
