@@ -16,6 +16,10 @@ constexpr const char* k_slow_under_asan =
     ":GroundWalkers.InACrowd*:WindSubsteps.ATickRecords*:WindSubsteps.Obstacles*:WindBoxes.OfTheDefault*:Rooms.WallsAlone*"
     ":Rooms.KeepTheAir*:ObstacleForces.AreNormal*:ObstacleForces.ABallThatSpeeds*:ObstacleStability.Plates*"
     ":ObstacleStability.BodiesOfEvery*:ObstacleStability.Hills*:ObstacleFlows.OneSolve*:Terrain.*"
+    ":QueryList.ThePlaceInTheTile*:Sleep.WakingEquals*:Sleep.FollowsAndIsSampled*:Sleep.TheStepThatFalls*:Sleep."
+    "CostsNextToNothing"
+    ":RequiredMemory.IsThat*:WindChanges.AWindThatIsCut*:MotorKinds.Widening*:MotorKinds.FollowTheirClosed*:Ticks.ThirtyTicks*"
+    ":WindStories.OfAirThatNeverSleeps"
     ":*OfTheCpu/*_rests:*OfTheCpu/*_moves:*OfTheCpu/*_turns:*OfTheCpu/thin_wall*:*OfTheCpu/fast_air*:*OfTheCpu/"
     "random_2*:*OfTheCpu/random_3*"
     ":*OfTheCpu/random_4*:*OfTheCpu/random_5*:*OfTheCpu/random_6*:*OfTheCpu/random_7*:*OfTheCpu/random_8*:*OfTheCpu/random_9*";
