@@ -1,6 +1,7 @@
 // Same air to the bit: with 1, 2, 3 and 8 threads, again and again, and with another Wind beside it.
 
 #include "fluid/thread_pool.h"
+#include "tests/tier.h"
 #include "tests/winds.h"
 
 #include <array>
@@ -81,9 +82,10 @@ class ParallelSame : public testing::TestWithParam<NamedConfig> {};
 
 TEST_P(ParallelSame, AHundredStepsWithAnyNumberOfThreads) {
     const Config& config = GetParam().config;
+    const int steps = test::k_sanitized ? 40 : 100;
     std::vector<Field> serial; // every tenth step
     Storm reference(config, {});
-    for (int n = 1; n <= 100; ++n) {
+    for (int n = 1; n <= steps; ++n) {
         reference.step();
         if (n % 10 == 0)
             serial.push_back(copy(reference.wind().field()));
@@ -93,7 +95,7 @@ TEST_P(ParallelSame, AHundredStepsWithAnyNumberOfThreads) {
     for (const int threads : {1, 2, 3, 8}) {
         ThreadPool pool(threads);
         Storm storm(config, pool.parallel_for());
-        for (int n = 1; n <= 100; ++n) {
+        for (int n = 1; n <= steps; ++n) {
             storm.step();
             if (n % 10 != 0)
                 continue;
@@ -142,7 +144,7 @@ TEST(ParallelWinds, IndicesInAnyOrderGiveTheSame) {
                                 nullptr};
     for (const NamedConfig& scene : determined_scenes()) {
         Storm forwards(scene.config, {}), reversed(scene.config, backwards);
-        for (int n = 0; n < 20; ++n) {
+        for (int n = 0; n < (test::k_sanitized ? 5 : 20); ++n) { // of one thread
             forwards.step();
             reversed.step();
         }
