@@ -131,10 +131,15 @@ WINDROW_FN WindrowNodes windrow_nodes(ivec3 from, WindrowWaypoint at, bool cubic
     nodes.own = clamp(at.cell - nodes.base, ivec3(0), ivec3(1)) + 1;
     nodes.first = cubic ? 0 : 1;
     nodes.count = cubic ? 4 : 2;
-    vec3 a = t - 1.0f, b = t - 2.0f, c = t + 1.0f;
-    nodes.weights[0] = cubic ? t * a * b * (-1.0f / 6.0f) : vec3(0.0f);
-    nodes.weights[2] = cubic ? c * t * b * -0.5f : t;
-    nodes.weights[3] = cubic ? c * t * a * (1.0f / 6.0f) : vec3(0.0f);
+    nodes.weights[0] = vec3(0.0f);
+    nodes.weights[2] = t;
+    nodes.weights[3] = vec3(0.0f);
+    for (int axis = 0; axis < 3 && cubic; ++axis) {
+        vec3 weights = windrow_cubic_weights(t[axis]);
+        nodes.weights[0][axis] = weights.x;
+        nodes.weights[2][axis] = weights.y;
+        nodes.weights[3][axis] = weights.z;
+    }
     nodes.weights[1] = 1.0f - (nodes.weights[0] + nodes.weights[2] + nodes.weights[3]);
     return nodes;
 }

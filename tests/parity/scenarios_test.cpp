@@ -105,7 +105,7 @@ TEST_P(WindScenarios, AreThoseOfTheCpu) {
         }
         const double off = together(row, *cpu, *gpu, n, 4);
         n += 4;
-        if (n == steps && !row.chaotic) {
+        if (n == steps) {
             WINDROW_EXPECT_FIGURE("wind_scenarios." + std::to_string(steps) + "_steps." + row.name, off, 1e-4);
         }
     }

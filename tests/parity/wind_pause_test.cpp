@@ -43,7 +43,7 @@ TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
         };
         for (int n = 0; n < 12; ++n) {
             ASSERT_TRUE(wind->follow({1.5 * n, 0.0, -2.5 * n}));
-            const bool again = n == 5 || n == 9; // both sets are written where the box lies then
+            const bool again = n == 5 || n == 9; // both sets are written where the box is then
             if (n == 5)
                 wind->reset();
             if (n == 9)
