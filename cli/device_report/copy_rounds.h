@@ -1,7 +1,7 @@
 // A compute pass that copies from one buffer to another over and over: for launches, and for the bandwidth of caches and memory.
 #pragma once
 
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 namespace windrow::cli {
 

@@ -1,7 +1,7 @@
 #include "cli/device_report/draw_host.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/pipeline_state.h"
+#include "gpu/pipeline_state.h"
 
 #include <array>
 #include <cstring>

@@ -2,9 +2,9 @@
 // report alone; vegetation/ has the renderer for games.
 #pragma once
 
-#include "fluid/vulkan/device.h"
 #include "fluid/vulkan/own_device.h"
 #include "fluid/vulkan/wind.h"
+#include "gpu/device.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 #include "cli/device_report/report_section.h"
-#include "fluid/vulkan/loader.h"
+#include "gpu/loader.h"
 
 #include <algorithm>
 #include <cstdlib>

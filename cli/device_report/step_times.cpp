@@ -7,7 +7,7 @@
 #include "cli/device_report/report_section.h"
 #include "cli/table.h"
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 #include <algorithm>
 #include <cmath>

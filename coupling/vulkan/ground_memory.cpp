@@ -2,7 +2,7 @@
 
 #include "coupling/ground_host.h"
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 #include "shader_words/ground_float.h"
 #include "shader_words/ground_half.h"
 

@@ -2,7 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "fluid/grid/box_rules.h"
-#include "fluid/vulkan/label.h"
+#include "gpu/label.h"
 
 #include <algorithm>
 #include <bit>

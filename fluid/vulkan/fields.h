@@ -10,8 +10,8 @@
 
 #include "fluid/box.h"
 #include "fluid/motors.h"
-#include "fluid/vulkan/device.h"
 #include "fluid/vulkan/textures.h"
+#include "gpu/device.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include "fluid/vulkan/pass_times.h"
 #include "fluid/vulkan/passes.h"
-#include "fluid/vulkan/timestamps.h"
+#include "gpu/timestamps.h"
 
 #include <cstdint>
 #include <optional>

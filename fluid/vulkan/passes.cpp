@@ -1,7 +1,7 @@
 #include "fluid/vulkan/passes.h"
 
 #include "fluid/vulkan/blocks.h"
-#include "fluid/vulkan/pipeline.h"
+#include "gpu/pipeline.h"
 #include "shader_words/adjust.h"
 #include "shader_words/advect.h"
 #include "shader_words/columns.h"

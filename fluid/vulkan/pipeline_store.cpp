@@ -1,7 +1,7 @@
 #include "fluid/vulkan/pipeline_store.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 #include <algorithm>
 #include <mutex>

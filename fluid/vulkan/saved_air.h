@@ -3,7 +3,7 @@
 
 #include "fluid/core/snapshot.h"
 #include "fluid/vulkan/blocks.h"
-#include "fluid/vulkan/buffer.h"
+#include "gpu/buffer.h"
 
 #include <array>
 #include <optional>

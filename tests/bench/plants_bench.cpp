@@ -21,11 +21,11 @@
 #include <vector>
 
 #if __has_include("shader_words/time_plants.h")
-#include "fluid/vulkan/buffer.h"
-#include "fluid/vulkan/descriptor_sets.h"
-#include "fluid/vulkan/device.h"
 #include "fluid/vulkan/own_device.h"
-#include "fluid/vulkan/pipeline.h"
+#include "gpu/buffer.h"
+#include "gpu/descriptor_sets.h"
+#include "gpu/device.h"
+#include "gpu/pipeline.h"
 #include "shader_words/copy_plants.h"
 #include "shader_words/time_plants.h"
 #define WITH_DEVICE 1

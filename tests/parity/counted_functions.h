@@ -1,7 +1,7 @@
 // The calls of a device with a count of what lives, one of which can be made to fail.
 #pragma once
 
-#include "fluid/vulkan/functions.h"
+#include "gpu/functions.h"
 
 #include <gtest/gtest.h>
 #include <map>

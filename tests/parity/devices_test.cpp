@@ -1,6 +1,6 @@
 // What the machine's devices are told to be, and what is rejected before anything is made.
-#include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/wind.h"
+#include "gpu/functions.h"
 #include "tests/parity/gpu.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A device of memory alone, with heaps and types as GPUs have them and a software driver has not; it grants, counts and rejects.
 #pragma once
 
-#include "fluid/vulkan/functions.h"
+#include "gpu/functions.h"
 
 #include <cstddef>
 #include <cstdint>

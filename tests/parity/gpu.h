@@ -4,10 +4,10 @@
 // tests, and `./dev test` does not.
 #pragma once
 
-#include "fluid/vulkan/device.h"
-#include "fluid/vulkan/memory.h"
 #include "fluid/vulkan/own_device.h"
 #include "fluid/vulkan/pipeline_store.h"
+#include "gpu/device.h"
+#include "gpu/memory.h"
 
 #include <cstddef>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // The block allocator: pieces that do not overlap, the right kind of memory, and all of it given back.
-#include "fluid/vulkan/free_ranges.h"
-#include "fluid/vulkan/memory.h"
+#include "gpu/free_ranges.h"
+#include "gpu/memory.h"
 #include "tests/parity/fake_memory.h"
 
 #include <algorithm>

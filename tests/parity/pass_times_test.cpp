@@ -1,8 +1,8 @@
 // What the device's clock says of each pass, and what it costs where nobody asked for it.
-#include "fluid/vulkan/pipeline.h"
-#include "fluid/vulkan/timestamps.h"
 #include "fluid/vulkan/wind.h"
 #include "fluid/vulkan/wind_state.h"
+#include "gpu/pipeline.h"
+#include "gpu/timestamps.h"
 #include "shader_words/scale.h"
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"

@@ -1,6 +1,6 @@
 // Drivers over another API, as MoltenVK over Metal: what instance and device are made with, where a loader and a device pretend to
 // list the extensions of such drivers.
-#include "fluid/vulkan/loader.h"
+#include "gpu/loader.h"
 #include "tests/parity/gpu.h"
 
 #include <algorithm>

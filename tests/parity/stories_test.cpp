@@ -58,7 +58,11 @@ class Stories : public vulkan::Gpu {
 
 // The large grids are for devices that are fast: `windrow check --full`, `windrow verify --backend vulkan`.
 TEST_F(Stories, SmallOnesAreWithinTheirBounds) {
+    int n = 0;
     for (const ParityStory& story : parity_stories()) {
+        // A third of them, and the storm: rows of WindScenarios have the other features.
+        if (!test::whole_sweeps() && story.name != "storm" && n++ % 3 != 0)
+            continue;
         if (Box{.cells = story.config.cells}.cell_count() > 20000 || story.name == k_every_pass_story)
             continue;
         const bool to_its_change = story.name == "frames_and_a_jump" || story.name == "mixed_16x16x16";

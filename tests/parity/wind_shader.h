@@ -2,8 +2,8 @@
 // fluid/vulkan/textures.h or by hand.
 #pragma once
 
-#include "fluid/vulkan/buffer.h"
 #include "fluid/vulkan/textures.h"
+#include "gpu/buffer.h"
 #include "tests/parity/wind_parity.h"
 
 #include <random>

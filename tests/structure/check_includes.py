@@ -11,7 +11,7 @@ import sys
 
 LONGEST_FILE = 500
 SENTENCES = "tests/structure/messages.txt"  # a list of all messages, made by check_messages.py
-FOLDERS = ("fluid", "coupling", "c_api", "shaders", "scene", "pictures", "vegetation", "examples", "cases", "cli", "tests",
+FOLDERS = ("gpu", "fluid", "coupling", "c_api", "shaders", "scene", "pictures", "vegetation", "examples", "cases", "cli", "tests",
            "tools", "cmake")
 SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".hlsl", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -24,6 +24,7 @@ ASSIMP = ("assimp/*",)
 FOLDERS_OF_OURS = tuple(f"{folder}/*" for folder in FOLDERS)
 # Production code: target folders that none of it knows, `tests` first of all. Examples: see below.
 ABOVE = {
+    "gpu": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "fluid": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "coupling": ("c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "c_api": ("scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
@@ -48,15 +49,17 @@ ROOMS = {
     "shapes": ("fluid/core/*", "fluid/solids/*"),
 }
 OPENS_CPU = ("fluid/wind*.cpp", "fluid/wind_state.h", "cases/reference/*", "tests/*")
-# Private headers of fluid/vulkan that other folders with Vulkan of their own use: its layer of devices, memory and pipelines.
-USES_DEVICES = ("cli/*", "coupling/vulkan/*", "vegetation/*", "tests/*")
+# What gpu/ includes of fluid/, besides installed headers; who uses gpu/, and who looks into the wind of fluid/vulkan.
+BELOW_GPU = ("fluid/core/message.h",)
+USES_GPU = ("gpu/*", "fluid/vulkan/*", "cli/*", "coupling/vulkan/*", "vegetation/*", "tests/*")
+SEES_DEVICE_WIND = ("cli/bench/vulkan/*", "tests/*")
 # Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
 FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
 BESIDE_RENDERER = tuple(f"vegetation/{folder}/*" for folder in FILES_AND_PROGRAM + TESTS_AND_BENCH)
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
 # The layers that make Vulkan objects, tests of them, and a host of two queues. The command draws without vegetation/, which a portable build lacks.
-MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
+MAKERS = ("gpu/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
           "tests/parity/*", "tests/plants/*")
 
 
@@ -113,8 +116,8 @@ def breaches_of_include(root, file, name, public):
             yield "the renderer is a library without files: no scene, JSON, mesh or picture files"
         if target_top == "vegetation" and len(target_folders) > 1 and target_folders[1] in FILES_AND_PROGRAM + TESTS_AND_BENCH:
             yield f"the renderer does not know vegetation/{target_folders[1]}"
-    if matches(name, VULKAN) and "vulkan" not in folders and top not in ("vegetation", "examples", "tests"):
-        yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
+    if matches(name, VULKAN) and "vulkan" not in folders and top not in ("gpu", "vegetation", "examples", "tests"):
+        yield "Vulkan's headers belong in gpu, in folders named vulkan, in examples and in tests"
     if matches(name, OPENVDB) and top not in ("cases", "tests") and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):
         yield "OpenVDB's headers belong in one .cpp of fluid/vdb, in cases and in tests"
     if matches(name, OPENIMAGEIO) and top not in ("pictures", "vegetation", "tests"):
@@ -135,11 +138,15 @@ def breaches_of_include(root, file, name, public):
 def breaches_of_room(here, target, public):
     """Why a file may not look into this room of fluid/: sentences."""
     folders, rooms = here.split("/")[:-1], target.split("/")[:-1]
+    if rooms == ["gpu"] and not matches(here, USES_GPU):
+        yield "gpu is used by fluid/vulkan, coupling/vulkan, vegetation, cli and tests"
+    elif folders == ["gpu"] and rooms[:1] == ["fluid"] and target not in public and not matches(target, BELOW_GPU):
+        yield "gpu is below the wind: of fluid it knows installed headers and messages"
     if rooms[:1] != ["fluid"] or len(rooms) == 1 or rooms[:2] == folders[:2] or folders[0] == "examples":
         return
     if rooms[1] == "cpu" and not matches(here, OPENS_CPU):
         yield "fluid/cpu is closed, except to fluid/wind*.cpp and to the references in cases/"
-    elif rooms[1] == "vulkan" and target not in public and not matches(here, USES_DEVICES):
+    elif rooms[1] == "vulkan" and target not in public and not matches(here, SEES_DEVICE_WIND):
         yield "of fluid/vulkan others see its public headers"
     elif folders[0] == "fluid" and len(folders) > 1 and rooms[1] not in ("cpu", "shapes") and not matches(target, ROOMS[folders[1]]):
         yield f"fluid/{folders[1]} does not know fluid/{rooms[1]}"
@@ -166,7 +173,7 @@ def check(root):
         if file.suffix in (".py", ".cmake", ".txt"):
             continue
         if file.suffix in (".h", ".cpp") and not matches(here, MAKERS):
-            found += [f"{here}:{number}: {call}: Vulkan objects are made in fluid/vulkan and vegetation/vulkan"
+            found += [f"{here}:{number}: {call}: Vulkan objects are made in gpu and vegetation/vulkan"
                       for number, line in enumerate(text.splitlines(), 1)
                       for call in MAKES_OBJECTS.findall(re.sub('"[^"]*"', "", line).split("//")[0])]
         for number, name in includes(text):

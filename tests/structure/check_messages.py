@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("fluid", "coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli")
+FOLDERS = ("gpu", "fluid", "coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli")
 NOT_SHIPPED = ("vegetation/tests/", "vegetation/bench/")
 CALLS = re.compile(r"\b(?:Error\{|(?:reasons_?|errors?_?)\.add\(|detail::message\(|message\(|reject\w*\(|sentence\("
                    r"|fail\w*\(|fault\w*\(|require\w*\(|give_up\(|usage_error\()")

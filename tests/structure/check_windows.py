@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-FOLDERS = ("fluid", "fluid/cpu", "fluid/vulkan", "c_api/source", "c_api/source/vulkan")
+FOLDERS = ("gpu", "fluid", "fluid/cpu", "fluid/vulkan", "c_api/source", "c_api/source/vulkan")
 # Of this machine, and the same for each; all of its other headers would stand before MinGW's.
 HEADERS = ("glm", "vulkan", "vk_video")
 OPTIONS = ("-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wno-sign-conversion", "-Werror",

@@ -11,7 +11,7 @@ import re
 import sys
 
 LONGEST_LINE, LONGEST_SENTENCE, LONGEST_MEAN = 120, 40, 18.0
-CODE_FOLDERS = ("fluid", "coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli")
+CODE_FOLDERS = ("gpu", "fluid", "coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli")
 
 INSTEAD = {
     r"sides|kinds? of side|(?:open|periodic) side": "boundary conditions, boundary kind",

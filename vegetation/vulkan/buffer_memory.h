@@ -1,7 +1,7 @@
 // Which memory a buffer is in, by what it is for.
 #pragma once
 
-#include "fluid/vulkan/memory.h"
+#include "gpu/memory.h"
 #include "vegetation/vulkan/device.h"
 
 namespace windrow::vegetation::engine {

@@ -1,6 +1,6 @@
 #include "vegetation/vulkan/pipeline.h"
 
-#include "fluid/vulkan/pipeline_state.h"
+#include "gpu/pipeline_state.h"
 
 #include <vector>
 #include <vulkan/vulkan.h>

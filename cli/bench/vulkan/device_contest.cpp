@@ -1,7 +1,7 @@
 #include "cli/bench/vulkan/device_contest.h"
 
 #include "cli/timings.h"
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 #include <algorithm>
 #include <chrono>

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "fluid/vulkan/own_device.h"
-#include "fluid/vulkan/timestamps.h"
+#include "gpu/timestamps.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // What a step on a device is compared with: a seven-point stencil and a copy, over four floats a cell.
 #pragma once
 
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 #include <glm/vec3.hpp>
 

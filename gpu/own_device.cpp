@@ -1,8 +1,8 @@
 #include "fluid/vulkan/own_device.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/functions.h"
-#include "fluid/vulkan/instance.h"
+#include "gpu/functions.h"
+#include "gpu/instance.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "fluid/vulkan/instance.h"
+#include "gpu/instance.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/own_device.h"
+#include "gpu/functions.h"
 
 #include <utility>
 #include <vector>

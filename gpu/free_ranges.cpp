@@ -1,4 +1,4 @@
-#include "fluid/vulkan/free_ranges.h"
+#include "gpu/free_ranges.h"
 
 #include <cassert>
 #include <iterator>

@@ -1,8 +1,8 @@
-#include "fluid/vulkan/buffer.h"
+#include "gpu/buffer.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
-#include "fluid/vulkan/functions.h"
+#include "gpu/device.h"
+#include "gpu/functions.h"
 
 #include <cassert>
 

@@ -1,4 +1,4 @@
-#include "fluid/vulkan/loader.h"
+#include "gpu/loader.h"
 
 #include "fluid/core/message.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fluid/api.h"
-#include "fluid/vulkan/handle.h"
-#include "fluid/vulkan/memory.h"
+#include "gpu/handle.h"
+#include "gpu/memory.h"
 
 #include <cstddef>
 

@@ -1,9 +1,9 @@
-#include "fluid/vulkan/pipeline.h"
+#include "gpu/pipeline.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
-#include "fluid/vulkan/functions.h"
-#include "fluid/vulkan/pipeline_state.h"
+#include "gpu/device.h"
+#include "gpu/functions.h"
+#include "gpu/pipeline_state.h"
 
 #include <cassert>
 #include <map>

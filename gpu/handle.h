@@ -1,7 +1,7 @@
 // Owning handle of a Vulkan object, as std::unique_ptr for memory.
 #pragma once
 
-#include "fluid/vulkan/functions.h"
+#include "gpu/functions.h"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
-#include "fluid/vulkan/image.h"
+#include "gpu/image.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/device.h"
-#include "fluid/vulkan/functions.h"
+#include "gpu/device.h"
+#include "gpu/functions.h"
 
 #include <algorithm>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include "fluid/api.h"
 #include "fluid/result.h"
-#include "fluid/vulkan/loader.h"
+#include "gpu/loader.h"
 
 #include <algorithm>
 #include <atomic>

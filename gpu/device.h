@@ -2,12 +2,12 @@
 #pragma once
 
 #include "fluid/api.h"
-#include "fluid/vulkan/buffer.h"
-#include "fluid/vulkan/descriptor_sets.h"
-#include "fluid/vulkan/functions.h"
-#include "fluid/vulkan/image.h"
-#include "fluid/vulkan/memory.h"
-#include "fluid/vulkan/pipeline.h"
+#include "gpu/buffer.h"
+#include "gpu/descriptor_sets.h"
+#include "gpu/functions.h"
+#include "gpu/image.h"
+#include "gpu/memory.h"
+#include "gpu/pipeline.h"
 
 #include <array>
 #include <cstdint>

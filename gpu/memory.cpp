@@ -1,9 +1,9 @@
-#include "fluid/vulkan/memory.h"
+#include "gpu/memory.h"
 
 #include "fluid/core/message.h"
-#include "fluid/vulkan/free_ranges.h"
-#include "fluid/vulkan/functions.h"
-#include "fluid/vulkan/handle.h"
+#include "gpu/free_ranges.h"
+#include "gpu/functions.h"
+#include "gpu/handle.h"
 
 #include <algorithm>
 #include <bit>

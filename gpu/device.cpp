@@ -1,4 +1,4 @@
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 #include "fluid/core/message.h"
 #include "fluid/vulkan/pipeline_store.h"

@@ -1,4 +1,4 @@
-#include "fluid/vulkan/functions.h"
+#include "gpu/functions.h"
 
 #include "fluid/core/message.h"
 

@@ -3,7 +3,7 @@
 
 #include "fluid/api.h"
 #include "fluid/result.h"
-#include "fluid/vulkan/functions.h"
+#include "gpu/functions.h"
 
 #include <memory>
 #include <utility>

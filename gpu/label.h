@@ -1,7 +1,7 @@
 // Label around commands, for debuggers and captures.
 #pragma once
 
-#include "fluid/vulkan/device.h"
+#include "gpu/device.h"
 
 namespace windrow::vulkan {
 

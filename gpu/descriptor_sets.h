@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fluid/api.h"
-#include "fluid/vulkan/handle.h"
+#include "gpu/handle.h"
 
 #include <cstddef>
 #include <span>
