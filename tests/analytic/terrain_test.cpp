@@ -322,7 +322,7 @@ void walk_over_the_survey(float speed) {
 TEST(Terrain, AWalkOfAKilometreOverTheSurveyHasNoJoltsInALightWind) {
     walk_over_the_survey(3.0f);
 }
-TEST(Terrain, AWalkOfAKilometreOverTheSurveyHasNoJoltsInAStorm) {
+TEST(Terrain, LongAWalkOfAKilometreOverTheSurveyHasNoJoltsInAStorm) {
     walk_over_the_survey(30.0f);
 }
 

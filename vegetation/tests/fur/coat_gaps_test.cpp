@@ -1,6 +1,7 @@
 // What is seen between layers: gaps at grazing view and at the silhouette against a coat of very many layers, with the fragments'
 // walk between layers and without; what layers cost in fragments.
 #include "tests/figure.h"
+#include "tests/tier.h"
 #include "vegetation/tests/fur/stage.h"
 
 #include <cmath>
@@ -46,6 +47,8 @@ double skin_fraction(Stage& stage, const render::Camera& camera) {
 
 TEST(CoatGaps, TheWalkBetweenLayersClosesGapsOfAPlane) {
     for (const double deg : {5.0, 15.0, 45.0}) {
+        if (!windrow::test::whole_sweeps() && deg > 5.0) // the flattest look, where gaps are widest
+            continue;
         const double angle = deg * 3.14159265358979 / 180.0;
         // Only the middle of a wide square: no rim is in sight.
         const render::Camera camera =

@@ -117,7 +117,7 @@ TEST(StrandsOutside, OfTheBunny) {
     expect_outside(pictured_bunny(), "bunny");
 }
 
-TEST(StrandsOutside, OfTheBeastThatWalks) {
+TEST(StrandsOutside, LongOfTheBeastThatWalks) {
     expect_outside(walking_beast(), "beast");
 }
 
