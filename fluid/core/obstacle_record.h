@@ -1,6 +1,7 @@
 // Parts of a snapshot (wind_snapshot.cpp): paths of what moves, the list of obstacles, and the history of the air at their surfaces.
 #pragma once
 
+#include "fluid/box.h"
 #include "fluid/core/archive.h"
 #include "fluid/core/shape_record.h"
 #include "fluid/obstacles.h"
