@@ -53,9 +53,9 @@ float distance(const VoxelShape& shape, glm::vec3 p, float most) {
     return shape.cell_size * shape.grid->distance_to(in_grid(shape, p), most / shape.cell_size);
 }
 
-// The rise above the surface over the longest way that a slope makes of it: no nearer point is on the surface.
+// The height over it: the surface may be nearer.
 float distance(const Ground& shape, glm::vec3 p, float) {
-    return (p.y - height_at(shape, p)) * nearness(shape);
+    return p.y - height_at(shape, p);
 }
 
 glm::vec3 extent(const Sphere& ball) {
@@ -120,6 +120,9 @@ bool crosses(const Plate& plate, glm::vec3 from, glm::vec3 to) {
 bool crosses(const MeshShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.mesh->crosses(from / shape.scale, to / shape.scale);
 }
+bool crosses(const Ground& ground, glm::vec3 from, glm::vec3 to) {
+    return least_rise(ground, from, to) <= k_touches_ground * glm::distance(from, to);
+}
 bool crosses(const VoxelShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.grid->crosses(in_grid(shape, from), in_grid(shape, to));
 }
@@ -160,9 +163,45 @@ float height_at(const Ground& ground, glm::vec3 point) {
     return size.y * ground.heights->height(glm::vec2(point.x, point.z) / glm::vec2(size.x, size.z));
 }
 
-float nearness(const Ground& ground) {
-    const float slope = ground.scale.y / std::min(ground.scale.x, ground.scale.z) * ground.heights->steepest();
-    return 1.0f / std::sqrt(1.0f + slope * slope);
+float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to) {
+    const numerics::WindrowGrid grid = ground.heights->grid();
+    const glm::vec2 texel = grid.spacing * glm::vec2(ground.scale.x, ground.scale.z);
+    const glm::vec2 start = glm::vec2(from.x, from.z) / texel, way = glm::vec2(to.x, to.z) / texel - start;
+    const auto rise = [&](float part) {
+        const glm::vec3 at = glm::mix(from, to, part);
+        return at.y - height_at(ground, at);
+    };
+    // The next line of the grid that each axis meets; beyond the edge there is none.
+    glm::ivec2 line(0);
+    for (int axis = 0; axis < 2; ++axis) {
+        const float last = static_cast<float>(grid.corners[axis] - 1);
+        line[axis] = way[axis] > 0.0f ? static_cast<int>(std::floor(std::clamp(start[axis], -1.0f, last))) + 1
+                                      : static_cast<int>(std::ceil(std::clamp(start[axis], 0.0f, last + 1.0f))) - 1;
+    }
+    float at = 0.0f, here = rise(0.0f), least = here;
+    while (at < 1.0f) {
+        float next = 1.0f;
+        for (int axis = 0; axis < 2; ++axis)
+            if (way[axis] != 0.0f && line[axis] >= 0 && line[axis] < grid.corners[axis])
+                next = std::min(next, std::max((static_cast<float>(line[axis]) - start[axis]) / way[axis], at));
+        for (int axis = 0; axis < 2; ++axis)
+            if (way[axis] != 0.0f && line[axis] >= 0 && line[axis] < grid.corners[axis] &&
+                (static_cast<float>(line[axis]) - start[axis]) / way[axis] <= next)
+                line[axis] += way[axis] > 0.0f ? 1 : -1;
+        const float middle = rise(0.5f * (at + next)), there = rise(next);
+        const float bend = 2.0f * (here + there) - 4.0f * middle, slope = 4.0f * middle - 3.0f * here - there;
+        if (bend > 0.0f && slope < 0.0f && -slope < 2.0f * bend)
+            least = std::min(least, here - 0.25f * slope * slope / bend);
+        least = std::min(least, there);
+        at = next;
+        here = there;
+    }
+    return least;
+}
+
+glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance) {
+    const glm::vec2 size(ground.scale.x, ground.scale.z), at(point.x, point.z);
+    return ground.scale.y * ground.heights->range((at - distance) / size, (at + distance) / size);
 }
 
 float distance_to(const Shape& shape, glm::vec3 point, float most) {

@@ -183,10 +183,15 @@ using windrow::PlacedObstacle;
 [[nodiscard]] WINDROW_API glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
 /// [m] Half the size of the box along the shape's own axes that holds it.
 [[nodiscard]] WINDROW_API glm::vec3 half_extent(const Shape& shape);
-/// [m] Of the ground under a point in its own axes, and the factor from the height over it to a distance that no point of the surface
-/// is nearer than.
+/// [m] Of the ground under a point in its own axes.
 [[nodiscard]] WINDROW_API float height_at(const Ground& ground, glm::vec3 point);
-[[nodiscard]] WINDROW_API float nearness(const Ground& ground);
+/// [m] Least height over the ground along the line between two points in its own axes, below 0 where the line is under it. Exact:
+/// within a texel the height over a bilinear surface is a quadratic of the way.
+[[nodiscard]] WINDROW_API float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to);
+/// A line whose least rise is at most this fraction of its length touches the ground.
+inline constexpr float k_touches_ground = 1e-4f;
+/// [m] Lowest and highest of the ground within a distance of a point, or of more.
+[[nodiscard]] WINDROW_API glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance);
 /// Places obstacles as they are `early` [s] before the end of the step.
 WINDROW_API void move_back(std::span<PlacedObstacle> obstacles, double early);
 /// Whether two shapes are the same, to the bit.

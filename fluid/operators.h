@@ -25,6 +25,8 @@
 
 namespace windrow {
 
+class Solids;
+
 /// Tables and scratch for one box. Move-only; holds no field. Calls with the same workspace must not overlap in time.
 class WINDROW_API Workspace {
   public:
@@ -52,6 +54,8 @@ class WINDROW_API Workspace {
 
     [[nodiscard]] const Box& box() const;
     [[nodiscard]] glm::vec3 ambient() const;
+    /// The obstacles as cells and faces (fluid/solids/solids.h); null: none.
+    [[nodiscard]] const Solids* solids() const;
     /// Bytes that this workspace has allocated.
     [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -1,11 +1,13 @@
 #include "fluid/tracer.h"
 
 #include "fluid/core/message.h"
+#include "fluid/solids/solids.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace windrow {
@@ -18,7 +20,8 @@ Result<Tracer> Tracer::create(const WindView& air, const ParallelFor& parallel_f
 }
 
 Tracer::Tracer(const WindView& air, Workspace work)
-    : work_(std::move(work)), window_(air.window()), cells_(air.box().cell_count(), 0.0f), carried_(cells_.size()) {
+    : work_(std::move(work)), window_(air.window()), cells_(air.box().cell_count(), 0.0f), carried_(cells_.size()),
+      joined_(cells_.size()) {
     window_.rows = work_.box().rows.get();
 }
 
@@ -76,9 +79,16 @@ void Tracer::blow(glm::dvec3 point, float radius) {
     const glm::dvec3 low = glm::floor(window_.local(point - reach)), high = glm::ceil(window_.local(point + reach));
     const glm::ivec3 first(glm::clamp(low, glm::dvec3(0.0), glm::dvec3(window_.cells)));
     const glm::ivec3 end(glm::clamp(high, glm::dvec3(0.0), glm::dvec3(window_.cells)));
+    if (glm::any(glm::lessThanEqual(end, first)))
+        return;
+    const Solids* const solids = work_.solids();
+    if (solids != nullptr)
+        solids->find_joined(window_.local(point), first, end, joined_);
     for (int k = first.z; k < end.z; ++k)
         for (int j = first.y; j < end.y; ++j)
             for (int i = first.x; i < end.x; ++i) {
+                if (solids != nullptr && joined_[box.index(i, j, k)] == 0)
+                    continue;
                 const double beyond = glm::length(window_.centre(i, j, k) - point) - static_cast<double>(radius);
                 float& value = cells_[box.index(i, j, k)];
                 value = std::max(value, static_cast<float>(std::clamp(1.0 - beyond / h, 0.0, 1.0)));

@@ -16,6 +16,7 @@
 #include "result.h"
 #include "view.h"
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -31,7 +32,9 @@ class WINDROW_API Tracer {
     /// Carries it through a step of dt [s], with the wind after it; `obstacles` are those of the same step. A dt that is not above 0
     /// carries nothing. Rejects a wind with another number of cells. Without memory it is not carried.
     Result<void> step(const WindView& air, std::span<const PlacedObstacle> obstacles, double dt);
-    /// Raises cells to 1 within `radius` [m] of a world point, less within a cell beyond it, and leaves those that hold more.
+    /// Raises cells to 1 within `radius` [m] of a world point, less within a cell beyond it, and leaves those that hold more. Of the
+    /// obstacles of the last step none is in between: cells that open faces within that reach do not join to the point's own stay
+    /// as they are. A point inside an obstacle has no side: all are raised.
     void blow(glm::dvec3 point, float radius);
 
     /// 0 to 1.
@@ -44,6 +47,7 @@ class WINDROW_API Tracer {
     Workspace work_;
     Window window_;
     std::vector<float> cells_, carried_;
+    std::vector<std::uint8_t> joined_; ///< scratch of blow: one a cell
 };
 
 } // namespace windrow

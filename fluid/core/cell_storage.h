@@ -9,6 +9,7 @@
 #include "fluid/config.h"
 #include "fluid/core/frame_history.h"
 #include "fluid/core/numerics.h"
+#include "fluid/core/solve_policy.h"
 #include "fluid/diagnostics.h"
 #include "fluid/motor_reach.h"
 #include "fluid/obstacle.h"
@@ -47,15 +48,6 @@ struct CellChange {
     bool has_source_flow = false;       ///< the velocity holds a flow of volume sources, which moves too
     std::span<const glm::vec4> cells{}; ///< good during the call alone
 };
-
-/// Direct solves of the pressure around obstacles in a sub-step, on every backend. Two, the first from the pressure of the sub-step
-/// before: of the fastest air, one solve leaves up to 5 %, two leave 1.4 % (blocks, balls and walls in 0.6 to 12 m/s, steady and
-/// gusty; docs/obstacles.md). Without a past (the first step of a flow, the flow of volume sources) more: two would leave a fifth
-/// of what passes through a wall, eight leave a thousandth.
-inline constexpr int k_solves = 2, k_first_solves = 8;
-[[nodiscard]] inline int pressure_solves(const Config& config, bool has_past) {
-    return config.pressure_solves > 0 ? config.pressure_solves : has_past ? k_solves : k_first_solves;
-}
 
 /// [m/s] Largest velocity component after a tick of the core's count; tick 0: none was measured.
 struct MeasuredSpeed {

@@ -17,6 +17,7 @@ using namespace glm;
 #include "shaders/numerics/diffusion.glsl"
 #include "shaders/numerics/history.glsl"
 #include "shaders/numerics/motors.glsl"
+#include "shaders/numerics/slip.glsl"
 #include "shaders/numerics/splitting.glsl"
 #include "shaders/numerics/substeps.glsl"
 #include "shaders/numerics/transport.glsl"

@@ -101,6 +101,11 @@ constexpr bool windrow_is_velocity(const SidedField<Components>&) {
     return Components > 1;
 }
 
+template <int Components>
+bool windrow_is_clamped(const SidedField<Components>& field) {
+    return Components == 1 && field.air.task.clamped;
+}
+
 #define WINDROW_FN inline
 #define WINDROW_FIELD_FN template <int Components>
 #define WINDROW_MARK bool&
@@ -140,7 +145,15 @@ vec<Components, float> open_read(const SidedField<Components>& field, const Wind
         for (int y = k_first; y < k_first + Count; ++y)
             for (int x = k_first; x < k_first + Count; ++x)
                 sum += nodes.weights[z].z * nodes.weights[y].y * nodes.weights[x].x * (value(x, y, z) - own);
-    return own + sum;
+    if (!windrow_is_clamped(field))
+        return own + sum;
+    vec<Components, float> least = own, most = own;
+    for (int corner = 0; corner < 8; ++corner) {
+        const vec<Components, float> at = value(1 + (corner & 1), 1 + (corner >> 1 & 1), 1 + (corner >> 2));
+        least = min(least, at);
+        most = max(most, at);
+    }
+    return clamp(own + sum, least, most);
 }
 
 // The field at a point, by the nodes of its own side, or by all. `mixed` is set where one was on another. `skips_open`: no result is

@@ -1,5 +1,5 @@
 // Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26; Ng, Min & Gibou 2009, Journal of Computational Physics
-// 228 (fractions of faces). Flux, slope and slip: shaders/numerics/closed_face.glsl.
+// 228 (fractions of faces). Flux and slope: shaders/numerics/closed_face.glsl, slip: slip.glsl.
 #include "fluid/cpu/solid_flow.h"
 
 #include "fluid/core/numerics.h"

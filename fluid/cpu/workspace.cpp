@@ -215,6 +215,10 @@ Result<void> Workspace::set_obstacles(std::span<const PlacedObstacle> obstacles)
         return {};
     });
 }
+const Solids* Workspace::solids() const {
+    return state_->has_solids() ? state_->solids.get() : nullptr;
+}
+
 glm::vec3 Workspace::impulse_on(std::size_t obstacle) const {
     if (!state_->has_solids())
         return glm::vec3(0.0f);

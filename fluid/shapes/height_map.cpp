@@ -41,25 +41,9 @@ Result<void> check(const HeightData& data) {
     return {};
 }
 
-// Within a texel the slope along an axis is between those of its two edges.
-float steepest_of(const HeightData& data) {
-    const std::size_t across = static_cast<std::size_t>(data.corners.x), rows = static_cast<std::size_t>(data.corners.y);
-    const auto at = [&](std::size_t x, std::size_t z) { return data.heights[z * across + x]; };
-    float squares = 0.0f;
-    for (std::size_t z = 0; z + 1 < rows; ++z)
-        for (std::size_t x = 0; x + 1 < across; ++x) {
-            const float a = at(x, z), b = at(x + 1, z), c = at(x, z + 1), d = at(x + 1, z + 1);
-            const float along_x = std::max(std::abs(b - a), std::abs(d - c)),
-                        along_z = std::max(std::abs(c - a), std::abs(d - b));
-            squares = std::max(squares, along_x * along_x + along_z * along_z);
-        }
-    return std::sqrt(squares) / data.spacing;
-}
-
 } // namespace
 
-HeightMap::HeightMap(HeightData data)
-    : data_(std::move(data)), hash_(detail::content_hash(data_.heights)), steepest_(steepest_of(data_)) {}
+HeightMap::HeightMap(HeightData data) : data_(std::move(data)), hash_(detail::content_hash(data_.heights)) {}
 
 Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing, std::vector<float> heights) {
     HeightData data{corners, spacing, std::move(heights)};

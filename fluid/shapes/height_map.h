@@ -60,8 +60,6 @@ class WINDROW_API HeightMap {
     /// [m] Lowest and highest within a box of places: of the bilinear surface, corners outside of the box included.
     [[nodiscard]] glm::vec2 range(glm::vec2 low, glm::vec2 high) const;
 
-    /// Largest slope of the bilinear surface.
-    [[nodiscard]] float steepest() const { return steepest_; }
     /// [m] How far it reaches along x and z.
     [[nodiscard]] glm::vec2 extent() const { return glm::vec2(data_.corners - 1) * data_.spacing; }
     [[nodiscard]] numerics::WindrowGrid grid() const { return {data_.corners, glm::vec2(data_.spacing)}; }
@@ -79,7 +77,6 @@ class WINDROW_API HeightMap {
 
     HeightData data_;
     std::uint64_t hash_; ///< of the heights
-    float steepest_;
 };
 
 } // namespace windrow

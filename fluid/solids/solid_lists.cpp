@@ -316,7 +316,7 @@ std::size_t Solids::memory_bytes() const {
                       bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
                       bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
                       bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
-                      bytes(drawn_sides_) + bytes(thicknesses_);
+                      bytes(drawn_sides_) + bytes(thicknesses_) + bytes(heights_) + bytes(columns_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
             sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides);

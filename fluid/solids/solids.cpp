@@ -1,7 +1,7 @@
-// Drawings of bodies: which faces they close, and which cells are inside (solids.h). A face's fraction is that of its area where the
-// distance is negative, linear between its corners and its middle.
-// Based on: Ng, Min & Gibou 2009, Journal of Computational Physics 228 (fractions of faces from distances at their corners).
+// Placement of obstacles in a box: drawings that are kept, taken over or made (drawing.cpp), and what is found from them (solid_lists.cpp).
 #include "fluid/solids/solids.h"
+
+#include "fluid/solids/body_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,40 +15,7 @@
 namespace windrow {
 namespace {
 
-// Distances below this fraction of a cell count as 0: a body along the cells' faces has these faces closed, whatever rounding does.
-constexpr float k_touch = 1e-4f;
-// Closed fraction of a face that a body only touches; it stays open. A block along the cells has three such faces for each that it
-// closes, and each costs as much.
-constexpr float k_least_closed = 2.0f * k_touch;
-constexpr int k_beyond = 8;        // [cells] drawn beyond the box, so that not every shift draws a large body again
-constexpr float k_far = 3.0f;      // [cells] from a surface; beyond it a distance need not be right
-constexpr double k_parts = 4096.0; // of a cell, in which a body's place is rounded
-
-// Fraction of a triangle's area where a linear function is negative.
-float negative_fraction(float a, float b, float c) {
-    if (a > b)
-        std::swap(a, b);
-    if (b > c)
-        std::swap(b, c);
-    if (a > b)
-        std::swap(a, b);
-    if (c <= 0.0f)
-        return 1.0f;
-    if (a >= 0.0f)
-        return 0.0f;
-    if (b >= 0.0f)
-        return a * a / ((b - a) * (c - a));
-    return 1.0f - c * c / ((c - a) * (c - b));
-}
-
-// Of a square, from the distances at its corners in order around it, by four triangles about its middle.
-float negative_fraction(float a, float b, float c, float d) {
-    if (a >= 0.0f && b >= 0.0f && c >= 0.0f && d >= 0.0f)
-        return 0.0f;
-    const float middle = 0.25f * (a + b + c + d);
-    return 0.25f * (negative_fraction(a, b, middle) + negative_fraction(b, c, middle) + negative_fraction(c, d, middle) +
-                    negative_fraction(d, a, middle));
-}
+constexpr int k_beyond = 8; // [cells] drawn beyond the box, so that not every shift draws a large body again
 
 } // namespace
 
@@ -244,39 +211,6 @@ void Solids::draw(Drawing& drawing) {
     drawing.sides.assign(drawn_sides_.begin(), drawn_sides_.end());
 }
 
-// Where the cells of the box are from one image of a body.
-struct Solids::View {
-    const PlacedObstacle& body;
-    float cell_size;
-    const RowTable* rows;
-    float coarsest; // [cells] distance between two cells
-    glm::mat3 to_own = glm::transpose(body.axes);
-    glm::vec3 base{0.0f}, part{0.0f}; // [cells] the body's middle: whole cells and the rest
-
-    // From the cell that holds the middle, so that a body has the same cells wherever the box is.
-    View(const PlacedObstacle& seen, glm::ivec3 offset, const Box& box)
-        : body(seen), cell_size(box.cell_size), rows(box.rows.get()), coarsest(box.coarsest() / box.cell_size) {
-        const float h = cell_size;
-        const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
-        const glm::dvec3 whole = glm::floor(middle);
-        base = glm::vec3(whole);
-        part = glm::vec3(glm::round((middle - whole) * k_parts) / k_parts);
-    }
-    // `beside`: the rest of a place that no float holds exactly.
-    [[nodiscard]] glm::vec3 from_middle(glm::vec3 cell, glm::vec3 beside = glm::vec3(0.0f)) const {
-        glm::vec3 away = ((cell - base) - part + beside) * cell_size;
-        if (rows != nullptr)
-            away.y = static_cast<float>(rows->height_at(static_cast<double>(cell.y + beside.y)) -
-                                        static_cast<double>(body.position.y));
-        return away;
-    }
-    [[nodiscard]] glm::vec3 own_place(glm::vec3 cell) const { return to_own * from_middle(cell); }
-    [[nodiscard]] float distance(glm::vec3 cell) const { // [cells]
-        return detail::distance_to(body.shape, own_place(cell), k_far * coarsest * cell_size) / cell_size;
-    }
-    [[nodiscard]] glm::vec3 velocity(glm::vec3 away) const { return body.velocity + glm::cross(body.spin, away); }
-};
-
 float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
     const PlacedObstacle& body = bodies_[number];
     const glm::vec3 centre = glm::vec3(cell) + 0.5f;
@@ -286,115 +220,7 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
         for (int y = -images.y; y <= images.y; ++y)
             for (int x = -images.x; x <= images.x; ++x)
                 nearest = std::min(nearest, View(body, glm::ivec3(x, y, z) * box_.cells, box_).distance(centre));
-    const Ground* const ground = std::get_if<Ground>(&body.shape);
-    return ground != nullptr ? nearest / detail::nearness(*ground) : nearest;
-}
-
-// visit(cell) in the order of Reach::index.
-template <class Visit>
-void Solids::Reach::for_each(const Visit& visit) const {
-    for (int k = low.z; k < high.z; ++k)
-        for (int j = low.y; j < high.y; ++j)
-            for (int i = low.x; i < high.x; ++i)
-                visit(glm::ivec3(i, j, k));
-}
-
-// Distances at the corners and centres of the cells.
-void Solids::measure(const View& view, const Reach& reach, const Reach& corners) {
-    std::size_t n = 0;
-    reach.for_each([&](glm::ivec3 cell) { depths_[n++] = view.distance(glm::vec3(cell) + 0.5f); });
-    n = 0;
-    if (!std::holds_alternative<Plate>(view.body.shape))
-        corners.for_each([&](glm::ivec3 corner) { distances_[n++] = view.distance(corner) - k_touch; });
-}
-
-// The same, to the bit, over an upright ground, which has one height a column.
-void Solids::measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners) {
-    const auto fill = [&](const Reach& places, float middle, float touch, detail::HostVector<float>& distances) {
-        heights_.clear();
-        for (int k = places.low.z; k < places.high.z; ++k)
-            for (int i = places.low.x; i < places.high.x; ++i)
-                heights_.push_back(detail::height_at(ground, view.own_place(glm::vec3(i, 0, k) + middle)));
-        const float nearness = detail::nearness(ground);
-        const int across = places.high.x - places.low.x;
-        std::size_t n = 0;
-        for (int k = 0; k < places.high.z - places.low.z; ++k)
-            for (int j = places.low.y; j < places.high.y; ++j) {
-                const float y = view.own_place(glm::vec3(0.0f, static_cast<float>(j) + middle, 0.0f)).y;
-                for (int i = 0; i < across; ++i)
-                    distances[n++] = (y - heights_[static_cast<std::size_t>(k) * across + i]) * nearness / view.cell_size - touch;
-            }
-    };
-    fill(reach, 0.5f, 0.0f, depths_);
-    fill(corners, 0.0f, k_touch, distances_);
-}
-
-// Adds the closed faces and the inside cells of one image of a body.
-void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset) {
-    const Reach corners{reach.low, reach.high + 1};
-    if (reach.count() == 0)
-        return;
-    const View view(body, offset, box_);
-    depths_.resize(reach.count());
-    distances_.resize(corners.count());
-    const bool upright = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f), flat = std::holds_alternative<Plate>(body.shape);
-    if (const Ground* const ground = std::get_if<Ground>(&body.shape); ground != nullptr && upright)
-        measure_ground(*ground, view, reach, corners);
-    else
-        measure(view, reach, corners);
-    std::size_t n = 0;
-    reach.for_each([&](glm::ivec3 cell) {
-        const float away = depths_[n++];
-        const bool in = !flat && away <= 0.0f;
-        if (in)
-            draw_inside(view, reach, cell, away);
-        if (std::abs(away) > 2.0f * view.coarsest)
-            return;
-        const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-        for (int axis = 0; axis < 3; ++axis) {
-            glm::vec3 step(0.0f);
-            step[axis] = 1.0f;
-            float closed = 0.0f;
-            if (!flat) {
-                glm::ivec3 face = cell, one(0), other(0);
-                ++face[axis];
-                one[(axis + 1) % 3] = other[(axis + 2) % 3] = 1;
-                const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
-                closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
-            }
-            if (closed < 1.0f && !in && away < view.coarsest + k_touch) { // also where the next centre is on the surface
-                const glm::vec3 here = view.own_place(centre), beyond = view.own_place(centre + step);
-                if ((flat || detail::distance_to(body.shape, beyond) > 0.0f) && detail::blocks(body.shape, here, beyond))
-                    closed = 1.0f;
-            }
-            if (!(closed > k_least_closed))
-                continue;
-            const float wall = body.moves() ? closed * view.velocity(view.from_middle(centre + 0.5f * step))[axis] : 0.0f;
-            drawn_faces_.push_back({cell, axis, closed, wall});
-        }
-    });
-}
-
-// Adds an inside cell, `away` [cells] from the surface, with its sides toward cells outside.
-void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away) {
-    constexpr float k_apart = 0.1f;   // [cells] of the distances that a normal is found from
-    constexpr float k_aligned = 0.1f; // a normal turned farther from the way outside is that of an edge
-    const auto first = static_cast<std::uint32_t>(drawn_sides_.size());
-    const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-    for (std::uint32_t direction = 0; direction < 6 && away > -1.5f * view.coarsest; ++direction) {
-        glm::ivec3 step(0);
-        step[static_cast<int>(direction / 2)] = direction % 2 == 0 ? -1 : 1;
-        const glm::vec3 out(step);
-        const float next = reach.holds(cell + step) ? depths_[reach.index(cell + step)] : view.distance(centre + out);
-        if (!(next > 0.0f))
-            continue;
-        const glm::vec3 crossing = view.from_middle(centre, -away / (next - away) * out);
-        glm::vec3 normal = view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing, k_apart * view.cell_size);
-        if (!(glm::dot(normal, out) > k_aligned))
-            normal = out;
-        drawn_sides_.push_back({direction, normal, view.body.moves() ? glm::dot(view.velocity(crossing), normal) : 0.0f});
-    }
-    drawn_inside_.push_back({cell, first, static_cast<std::uint32_t>(drawn_sides_.size()) - first});
+    return nearest;
 }
 
 void Solids::name_faces(std::vector<std::uint32_t>& names) const {

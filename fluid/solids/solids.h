@@ -35,6 +35,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -87,7 +88,7 @@ class Solids {
         std::uint32_t cell = 0, first = 0, count = 0;
     };
     /// A cell beside a ghost. From the air into a body the velocity along the surface stays, and that along its normal is the
-    /// body's own (shaders/numerics/closed_face.glsl). With the air's own velocity there, air that leaves a wall reads itself and grows without
+    /// body's own (shaders/numerics/slip.glsl). With the air's own velocity there, air that leaves a wall reads itself and grows without
     /// bound. With the normals of the cells' faces, air that flows along a slope loses speed at each stair. A mirror,
     /// U + (U - u) beyond the surface, takes a part of the pressure's work on a body that starts: 10 % of its added mass.
     struct GhostSource {
@@ -154,6 +155,10 @@ class Solids {
         return n == k_none ? nullptr : &faces_[n];
     }
 
+    /// Of the cells from `first` to before `end`: whether faces that are more open than closed join them, within these, to the air
+    /// at a place [cells], 1 or 0. All are where the place is inside an obstacle. `joined`: one a cell of the box.
+    WINDROW_INTERNAL void find_joined(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end, std::span<std::uint8_t> joined) const;
+
     /// Whether a wall beside a cell moves across its face.
     [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
 
@@ -178,6 +183,14 @@ class Solids {
     /// Flags of a cell beside its three blocked faces; k_low: it is the low cell of a closed face.
     static constexpr std::uint8_t k_inside = 8, k_shut = 16, k_thin = 32, k_low = 64, k_surface = 128;
     static constexpr std::uint32_t k_none = ~std::uint32_t{0};
+    /// Distances below this fraction of a cell count as 0: a body along the cells' faces has these faces closed, whatever rounding
+    /// does.
+    static constexpr float k_touch = 1e-4f;
+    /// Closed fraction of a face that a body only touches; it stays open. A block along the cells has three such faces for each that
+    /// it closes, and each costs as much.
+    static constexpr float k_least_closed = 2.0f * k_touch;
+    /// [cells] Thickness below which a body is tight by whole faces. Of 1.2 cells, fractions still let 7 % of a wind through.
+    static constexpr float k_tight = 1.5f;
     static constexpr int k_ghost_layers = 3;
     static constexpr std::uint8_t k_room = 255;     ///< in `layers_`: air of a closed room
     static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
@@ -229,6 +242,13 @@ class Solids {
         void for_each(const Visit& visit) const;
     };
     struct View;
+    /// Heights [m] of an upright ground that the faces and neighbours of a column of cells meet, and the highest along the lines from
+    /// its centres to the next along x and z.
+    struct Column {
+        float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+        float crest[3] = {};
+    };
+    [[nodiscard]] glm::ivec3 air_cell_at(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end) const;
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const;
     /// Swaps them; `before` is free then: its position is NaN.
@@ -237,6 +257,10 @@ class Solids {
     void draw(Drawing& drawing);
     /// `offset`: cells from the body to its image.
     void draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset);
+    [[nodiscard]] bool may_touch(const View& view, const Reach& reach, glm::ivec3 cell, float away, float within) const;
+    [[nodiscard]] const Column* column_at(const Reach& reach, glm::ivec3 cell) const;
+    [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
+    [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
     void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away);
     void measure(const View& view, const Reach& reach, const Reach& corners);
     void measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners);
@@ -296,8 +320,9 @@ class Solids {
     detail::HostVector<std::uint8_t> layers_;          ///< one a cell: layer of a ghost, or k_room
     detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
     detail::HostVector<float> distances_,
-        depths_;                        ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
-    detail::HostVector<float> heights_; ///< scratch: of a ground's columns
+        depths_;                         ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
+    detail::HostVector<float> heights_;  ///< scratch: of a ground's columns
+    detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
 };
 
 template <class Visit>

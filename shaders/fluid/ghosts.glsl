@@ -1,6 +1,7 @@
 // Cells inside bodies that a read from outside reaches: their value is a weighted sum of the air's around them, each slipping
 // along the body's surface (SolidFlow::extend on the CPU). Before this text: prescribed.glsl.
 #include "numerics/closed_face.glsl"
+#include "numerics/slip.glsl"
 
 struct AirTerm {
     ivec3 cell;

@@ -44,6 +44,7 @@ float windrow_wall_across(WindrowSidedField field, ivec3 low, ivec3 cell, int ax
 
 vec3 windrow_stored(WindrowSidedField field, ivec3 cell) { return padded[field.first + padded_at(cell)].xyz; }
 bool windrow_is_velocity(WindrowSidedField field) { return true; }
+bool windrow_is_clamped(WindrowSidedField field) { return false; }
 
 // Whether no face of the cells from `low` to `high` is closed, all in the box.
 bool open_around(ivec3 low, ivec3 high) {

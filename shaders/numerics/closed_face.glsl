@@ -3,11 +3,10 @@
 //
 //   flux    (1 - c) (u_low + u_high) / 2 + c U  =  (u_low + u_high) / 2 - windrow_closed_flux
 //   slope   (1 - c) (phi_high - phi_low)        =  (phi_high - phi_low) - windrow_closed_slope
-//   slip    u + ((U - u) . n) n                 what a read beyond the surface finds in place of the air's u (solids.h)
 //
 // Values are at cell centres. Exact for a body along the faces.
 // Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26; Ng, Min & Gibou 2009, Journal of Computational Physics
-// 228 (fractions of faces); Foster & Fedkiw 2001, SIGGRAPH (slip at moving objects).
+// 228 (fractions of faces).
 #ifndef WINDROW_CLOSED_FACE_GLSL
 #define WINDROW_CLOSED_FACE_GLSL
 
@@ -25,8 +24,5 @@ WINDROW_FN float windrow_closed_slope(float closed, float low, float high) { ret
 WINDROW_FN float windrow_blown_past(float closed, float both, float beyond, bool beyond_is_sheltered) {
     return 0.5f * (closed * both + (beyond_is_sheltered ? 0.0f : (1.0f - closed) * beyond));
 }
-
-// `normal` of the surface, 0: none; `across`: U . n.
-WINDROW_FN vec3 windrow_slipped(vec3 u, vec3 normal, float across) { return u + (across - dot(u, normal)) * normal; }
 
 #endif

@@ -36,6 +36,8 @@ int windrow_cell_within(WINDROW_AIR air, int cell, int axis);    // the cell of 
 bool windrow_blocked(WINDROW_AIR air, ivec3 low_cell, int axis); // whether a face is closed; x below 0: none of the box
 float windrow_wall_across(WINDROW_FIELD field, ivec3 low_cell, ivec3 cell, int axis); // U there, as the field has it
 bool windrow_is_velocity(WINDROW_FIELD field);                                        // or a scalar
+bool windrow_is_clamped(
+    WINDROW_FIELD field); // whether a read stays among the eight values around its point, which cubic weights leave
 WINDROW_VALUE windrow_stored(WINDROW_FIELD field, ivec3 cell);
 #endif
 
@@ -189,13 +191,20 @@ WINDROW_FIELD_FN WINDROW_VALUE windrow_one_sided(WINDROW_FIELD field, WindrowNod
                 }
             }
     WINDROW_VALUE own = values[(nodes.own.z * 4 + nodes.own.y) * 4 + nodes.own.x];
-    WINDROW_VALUE sum = WINDROW_VALUE(0.0f);
+    WINDROW_VALUE sum = WINDROW_VALUE(0.0f), least = own, most = own;
     int end = nodes.first + nodes.count;
     for (int z = nodes.first; z < end; ++z)
         for (int y = nodes.first; y < end; ++y)
             for (int x = nodes.first; x < end; ++x)
                 sum += nodes.weights[z].z * nodes.weights[y].y * nodes.weights[x].x * (values[(z * 4 + y) * 4 + x] - own);
-    return own + sum;
+    if (!windrow_is_clamped(field))
+        return own + sum;
+    for (int corner = 0; corner < 8; ++corner) {
+        WINDROW_VALUE value = values[((1 + (corner >> 2)) * 4 + 1 + (corner >> 1 & 1)) * 4 + 1 + (corner & 1)];
+        least = min(least, value);
+        most = max(most, value);
+    }
+    return clamp(own + sum, least, most);
 }
 
 #endif

@@ -16,7 +16,7 @@ using detail::PlacedObstacle;
 constexpr Window k_window{.cells = {64, 32, 64}, .cell_size = 1.0f};
 const Boundaries k_open{};
 
-ObstacleId added(Obstacles& obstacles, const Obstacle& obstacle) {
+ObstacleId placed_in(Obstacles& obstacles, const Obstacle& obstacle) {
     const auto id = obstacles.add(obstacle);
     EXPECT_TRUE(id) << id.error();
     return id ? *id : ObstacleId{};
@@ -42,7 +42,7 @@ glm::quat turned(double degrees, glm::dvec3 axis = {0.0, 1.0, 0.0}) {
 
 TEST(Obstacles, AHandleNamesItsObstacleUntilItIsRemoved) {
     Obstacles obstacles;
-    const ObstacleId a = added(obstacles, {.position = {1.0, 0.0, 0.0}}), b = added(obstacles, {.shape = Sphere{2.0f}});
+    const ObstacleId a = placed_in(obstacles, {.position = {1.0, 0.0, 0.0}}), b = placed_in(obstacles, {.shape = Sphere{2.0f}});
     EXPECT_FALSE(a == b);
     EXPECT_EQ(obstacles.count(), 2);
     ASSERT_NE(obstacles.find(a), nullptr);
@@ -60,9 +60,9 @@ TEST(Obstacles, AHandleNamesItsObstacleUntilItIsRemoved) {
 
 TEST(Obstacles, AStaleHandleIsRejectedAndMovesNoStranger) {
     Obstacles obstacles;
-    const ObstacleId first = added(obstacles, {});
+    const ObstacleId first = placed_in(obstacles, {});
     ASSERT_TRUE(obstacles.remove(first));
-    const ObstacleId stranger = added(obstacles, {.position = glm::dvec3(9.0)});
+    const ObstacleId stranger = placed_in(obstacles, {.position = glm::dvec3(9.0)});
     ASSERT_EQ(stranger.slot, first.slot) << "the slot is used again, or this test shows nothing";
     for (const ObstacleId id : {first, ObstacleId{}, ObstacleId{.slot = 77, .generation = 1}}) {
         const auto rejected = obstacles.move(id, {});
@@ -80,7 +80,7 @@ TEST(Obstacles, AStaleHandleIsRejectedAndMovesNoStranger) {
 
 TEST(Obstacles, AHandleOfAnotherWindIsRejected) {
     Wind wind = made({}), other = made({});
-    const ObstacleId id = added(wind.obstacles(), {}), stranger = added(other.obstacles(), {});
+    const ObstacleId id = placed_in(wind.obstacles(), {}), stranger = placed_in(other.obstacles(), {});
     ASSERT_EQ(id.slot, stranger.slot);
     const auto moved = wind.obstacles().move(stranger, {1.0, 0.0, 0.0});
     ASSERT_FALSE(moved);
@@ -94,7 +94,7 @@ TEST(Obstacles, HoldTheirCapacityAndNoMore) {
     Obstacles obstacles;
     std::vector<ObstacleId> ids;
     for (std::uint32_t n = 0; n < Obstacles::k_capacity; ++n)
-        ids.push_back(added(obstacles, {.position = {double(n), 0.0, 0.0}}));
+        ids.push_back(placed_in(obstacles, {.position = {double(n), 0.0, 0.0}}));
     EXPECT_EQ(obstacles.count(), 16384);
     const auto one_more = obstacles.add({});
     ASSERT_FALSE(one_more);
@@ -130,7 +130,7 @@ TEST(Obstacles, RejectWhatIsNoBody) {
         {{.surface = static_cast<Surface>(7)}, "obstacle.surface is 7: give free_slip or no_slip."},
     };
     Obstacles obstacles;
-    const ObstacleId good = added(obstacles, {});
+    const ObstacleId good = placed_in(obstacles, {});
     for (const auto& [obstacle, reason] : bad) {
         const auto id = obstacles.add(obstacle);
         ASSERT_FALSE(id);
@@ -145,7 +145,7 @@ TEST(Obstacles, RejectWhatIsNoBody) {
 
 TEST(Obstacles, OrientationsAreNormalised) {
     Obstacles obstacles;
-    const ObstacleId id = added(obstacles, {.orientation = glm::quat(0, 0, 1e30f, 0)});
+    const ObstacleId id = placed_in(obstacles, {.orientation = glm::quat(0, 0, 1e30f, 0)});
     EXPECT_EQ(obstacles.find(id)->orientation, glm::quat(0, 0, 1, 0));
     ASSERT_TRUE(obstacles.move(id, {}, glm::quat(3, 4, 0, 0)));
     EXPECT_NEAR(glm::length(obstacles.find(id)->orientation), 1.0f, 1e-6f);
@@ -153,12 +153,12 @@ TEST(Obstacles, OrientationsAreNormalised) {
 
 TEST(Obstacles, ATickReturnsThoseThatMeetTheBox) {
     Obstacles obstacles;
-    (void)added(obstacles, {.position = {32.0, 16.0, 32.0}});
-    (void)added(obstacles, {.position = {-3.5, 16.0, 32.0}});                                  // 2.5 m from the box to its face
-    (void)added(obstacles, {.position = {-2.5, 16.0, 32.0}});                                  // 1.5 m
-    (void)added(obstacles, {.position = {-2.9, 10.0, 32.0}, .orientation = turned(45.0)});     // its edge: 1.49 m
-    (void)added(obstacles, {.position = {500.0, 16.0, 32.0}, .shape = Block{{450.0f, 1, 1}}}); // far away, and long
-    (void)added(obstacles, {.position = {500.0, 16.0, 32.0}, .shape = Block{{1, 1, 450.0f}}}); // across
+    (void)placed_in(obstacles, {.position = {32.0, 16.0, 32.0}});
+    (void)placed_in(obstacles, {.position = {-3.5, 16.0, 32.0}});                              // 2.5 m from the box to its face
+    (void)placed_in(obstacles, {.position = {-2.5, 16.0, 32.0}});                              // 1.5 m
+    (void)placed_in(obstacles, {.position = {-2.9, 10.0, 32.0}, .orientation = turned(45.0)}); // its edge: 1.49 m
+    (void)placed_in(obstacles, {.position = {500.0, 16.0, 32.0}, .shape = Block{{450.0f, 1, 1}}}); // far away, and long
+    (void)placed_in(obstacles, {.position = {500.0, 16.0, 32.0}, .shape = Block{{1, 1, 450.0f}}}); // across
     EXPECT_EQ(ticked(obstacles).size(), 4u);
     Boundaries periodic;
     periodic.x_low.kind = periodic.x_high.kind = BoundaryKind::periodic;
@@ -177,7 +177,7 @@ TEST(Obstacles, TheSearchMissesNone) {
         Obstacle one{.position = random.point(150.0), .orientation = turned(random.real(0.0, 360.0), random.direction())};
         one.shape = Block{glm::vec3(random.spread(0.05, 60.0), random.spread(0.05, 60.0), random.spread(0.05, 60.0))};
         all.push_back(one);
-        (void)added(obstacles, one);
+        (void)placed_in(obstacles, one);
     }
     std::size_t found = 0;
     for (int n = 0; n < 40; ++n) {
@@ -186,7 +186,7 @@ TEST(Obstacles, TheSearchMissesNone) {
         std::size_t expected = 0;
         for (const Obstacle& one : all) {
             Obstacles alone;
-            (void)added(alone, one);
+            (void)placed_in(alone, one);
             expected += alone.tick(0.02, window, k_open).size();
         }
         const std::size_t here = obstacles.tick(0.02, window, k_open).size();
@@ -212,10 +212,10 @@ TEST(Obstacles, TheOrderIsThatOfTheirContent) {
     }
     Obstacles forward, backward;
     for (const Obstacle& one : all)
-        (void)added(forward, one);
+        (void)placed_in(forward, one);
     for (std::size_t n = all.size(); n-- > 0;) {
-        const ObstacleId gone = added(backward, {.position = {1.0, 1.0, 1.0}});
-        (void)added(backward, all[n]);
+        const ObstacleId gone = placed_in(backward, {.position = {1.0, 1.0, 1.0}});
+        (void)placed_in(backward, all[n]);
         ASSERT_TRUE(backward.remove(gone));
     }
     EXPECT_TRUE(same(ticked(forward), ticked(backward)));
@@ -224,7 +224,7 @@ TEST(Obstacles, TheOrderIsThatOfTheirContent) {
 TEST(Obstacles, OutsideOfTheBoxTheyCostNothing) {
     Obstacles obstacles;
     for (int n = 0; n < 10'000; ++n)
-        (void)added(obstacles, {.position = {300.0 + n % 100 * 12.0, 1.0, n / 100 * 12.0}});
+        (void)placed_in(obstacles, {.position = {300.0 + n % 100 * 12.0, 1.0, n / 100 * 12.0}});
     EXPECT_TRUE(ticked(obstacles).empty());
     EXPECT_LT(obstacles.visited(), 100u) << "the first tick searches";
     (void)ticked(obstacles);
@@ -233,7 +233,7 @@ TEST(Obstacles, OutsideOfTheBoxTheyCostNothing) {
     window.origin_cells.x = 3;
     (void)ticked(obstacles, 0.02, window);
     EXPECT_LT(obstacles.visited(), 100u) << "a shift searches again";
-    const ObstacleId house = added(obstacles, {.position = {10.0, 1.0, 10.0}});
+    const ObstacleId house = placed_in(obstacles, {.position = {10.0, 1.0, 10.0}});
     EXPECT_EQ(ticked(obstacles, 0.02, window).size(), 1u);
     EXPECT_LT(obstacles.visited(), 100u);
     ASSERT_TRUE(obstacles.move(house, {11.0, 1.0, 10.0}));
@@ -245,7 +245,7 @@ TEST(Obstacles, OutsideOfTheBoxTheyCostNothing) {
         (void)ticked(obstacles, 0.02, window);
     EXPECT_EQ(obstacles.visited(), 0u) << "and at rest no more";
     (void)obstacles.take_changed();
-    (void)added(obstacles, {.position = {900.0, 1.0, 0.0}});
+    (void)placed_in(obstacles, {.position = {900.0, 1.0, 0.0}});
     (void)ticked(obstacles, 0.02, window);
     EXPECT_EQ(obstacles.visited(), 0u) << "one that is added far away is not looked at";
     EXPECT_FALSE(obstacles.take_changed());
@@ -253,7 +253,7 @@ TEST(Obstacles, OutsideOfTheBoxTheyCostNothing) {
 
 TEST(Obstacles, AMoveIsAVelocityForATick) {
     Obstacles obstacles;
-    const ObstacleId id = added(obstacles, {.position = {8.0, 4.0, 8.0}});
+    const ObstacleId id = placed_in(obstacles, {.position = {8.0, 4.0, 8.0}});
     (void)ticked(obstacles);
     ASSERT_TRUE(obstacles.move(id, {8.5, 4.0, 8.0}, turned(9.0)));
     obstacles.begin_frame(0.0, 0.25);
@@ -275,7 +275,7 @@ TEST(Obstacles, AMoveIsAVelocityForATick) {
 // A turn by way of several poses of one frame goes through each, the shorter way.
 TEST(Obstacles, ATurnGoesThroughThePosesOfAFrame) {
     Obstacles obstacles;
-    const ObstacleId id = added(obstacles, {.position = {8.0, 4.0, 8.0}});
+    const ObstacleId id = placed_in(obstacles, {.position = {8.0, 4.0, 8.0}});
     for (const double angle : {100.0, 200.0, 300.0})
         ASSERT_TRUE(obstacles.move(id, {8.0, 4.0, 8.0}, turned(angle)));
     obstacles.begin_frame(0.0, 0.3);
@@ -293,7 +293,7 @@ TEST(Obstacles, TicksSeeTheSameMotionAtAnyFrameRate) {
     for (const int fps : {30, 60, 144}) {
         Wind wind = made({.cells = {16, 8, 16}, .ticks = {.hz = 30.0}});
         const auto at = [](double t) { return glm::dvec3(-6.0 + 3.0 * t, 0.7 * t, 1.0 - t); };
-        const ObstacleId id = added(wind.obstacles(), {.position = at(0.0), .shape = Sphere{1.0f}});
+        const ObstacleId id = placed_in(wind.obstacles(), {.position = at(0.0), .shape = Sphere{1.0f}});
         std::vector<PlacedObstacle> last;
         for (int frame = 1; frame <= 2 * fps; ++frame) {
             const double t = frame / double(fps);
@@ -304,7 +304,7 @@ TEST(Obstacles, TicksSeeTheSameMotionAtAnyFrameRate) {
             last.push_back(body); // one more, of the pose that stays
         Wind again = made({.cells = {16, 8, 16}, .ticks = {.hz = 30.0}});
         Obstacles& list = again.obstacles();
-        const ObstacleId other = added(list, {.position = at(0.0), .shape = Sphere{1.0f}});
+        const ObstacleId other = placed_in(list, {.position = at(0.0), .shape = Sphere{1.0f}});
         double lead = 0.0;
         for (int frame = 1; frame <= fps; ++frame) {
             ASSERT_TRUE(list.move(other, at(frame / double(fps)), turned(40.0 * frame / fps)));
@@ -338,8 +338,8 @@ TEST(Obstacles, ThePlaceInTheWorldDoesNotMatter) {
         Window window = k_window;
         window.origin_cells = CellIndex(offset);
         Obstacles obstacles;
-        const ObstacleId id = added(obstacles, {.position = offset + glm::dvec3(7.1, 3.3, 9.7)});
-        (void)added(obstacles, {.position = offset + glm::dvec3(12.3, 1.9, 30.1), .shape = Cylinder{}});
+        const ObstacleId id = placed_in(obstacles, {.position = offset + glm::dvec3(7.1, 3.3, 9.7)});
+        (void)placed_in(obstacles, {.position = offset + glm::dvec3(12.3, 1.9, 30.1), .shape = Cylinder{}});
         ASSERT_TRUE(obstacles.move(id, offset + glm::dvec3(7.4, 3.3, 9.9)));
         obstacles.begin_frame(0.0, 0.02);
         seen.push_back(ticked(obstacles, 0.02, window));
@@ -357,8 +357,8 @@ TEST(Obstacles, ChangesAreReportedOnce) {
     };
     using Pair = std::pair<bool, bool>;
     EXPECT_EQ(changed(), Pair(false, false));
-    const ObstacleId house = added(obstacles, {.position = {5.0, 5.0, 5.0}}),
-                     far = added(obstacles, {.position = {0.0, 0.0, 999.0}});
+    const ObstacleId house = placed_in(obstacles, {.position = {5.0, 5.0, 5.0}}),
+                     far = placed_in(obstacles, {.position = {0.0, 0.0, 999.0}});
     EXPECT_EQ(changed(), Pair(true, true));
     EXPECT_EQ(changed(), Pair(false, false));
     Window shifted = k_window;

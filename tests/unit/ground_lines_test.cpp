@@ -1,0 +1,121 @@
+// Lines between the centres of cells over a ground: exact, whatever the map does elsewhere.
+#include "fluid/solids/solids.h"
+#include "tests/shapes.h"
+#include "tests/tier.h"
+#include "tests/winds.h"
+
+#include <random>
+#include <set>
+
+namespace windrow {
+namespace {
+
+using namespace test;
+
+// Hills with a cliff of 90 m at x = `cliff`; beyond the map where there is none.
+std::shared_ptr<const HeightMap> hills(double cliff) {
+    return heights_of({121, 61}, 1.0f, [=](double x, double z) {
+        return 3.0 + 2.0 * std::sin(0.31 * x) * std::cos(0.23 * z) + (x > cliff ? 90.0 : 0.0);
+    });
+}
+
+TEST(GroundLines, LeastRiseIsThatOfDenseSamples) {
+    std::mt19937 chance(5);
+    const auto part = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(chance); };
+    const int lines = sampled(20'000, 2'000);
+    int blocked = 0;
+    double worst = 0.0;
+    for (int map = 0; map < 20; ++map) {
+        HeightData data{.corners = {5 + map % 7, 3 + map % 5}, .spacing = part(0.3f, 2.0f)};
+        for (int n = 0; n < data.corners.x * data.corners.y; ++n)
+            data.heights.push_back(part(-2.0f, 2.0f) + (n % 11 == 3 ? 40.0f : 0.0f)); // cliffs
+        const Ground ground{heights_of(data), {part(0.5f, 2.0f), part(0.5f, 2.0f), part(0.5f, 2.0f)}};
+        const glm::vec2 size = glm::vec2(ground.scale.x, ground.scale.z) * ground.heights->extent();
+        for (int n = 0; n < lines / 20; ++n) {
+            const auto point = [&] { // beyond the edge too
+                const float x = part(-0.3f, 1.3f) * size.x, z = part(-0.3f, 1.3f) * size.y;
+                return glm::vec3(x, detail::height_at(ground, {x, 0.0f, z}) + part(0.0f, 3.0f), z);
+            };
+            const glm::vec3 from = point(), to = n % 3 == 0 ? from + glm::vec3(1.0f, 0.0f, 0.0f) : point();
+            constexpr int k_samples = 4000;
+            float dense = std::numeric_limits<float>::max(), step = 0.0f, before = 0.0f;
+            for (int i = 0; i <= k_samples; ++i) {
+                const glm::vec3 at = glm::mix(from, to, static_cast<float>(i) / k_samples);
+                const float rise = at.y - detail::height_at(ground, at);
+                if (i > 0)
+                    step = std::max(step, std::abs(rise - before));
+                before = rise;
+                dense = std::min(dense, rise);
+            }
+            const float exact = detail::least_rise(ground, from, to);
+            // Between two samples the surface rises by no more than what it does between any two.
+            EXPECT_LE(exact, dense + 1e-4f) << "map " << map << ", line " << n;
+            EXPECT_GE(exact, dense - step - 1e-4f) << "map " << map << ", line " << n;
+            worst = std::max(worst, static_cast<double>(std::abs(exact - dense)));
+            if (std::abs(dense) > step + 1e-3f) {
+                EXPECT_EQ(exact <= 0.0f, dense <= 0.0f);
+            }
+            blocked += exact <= 0.0f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(blocked, lines / 10);
+    EXPECT_LT(blocked, lines);
+    figure("ground_lines/off_dense_samples", worst);
+}
+
+Wind over(const Shape& ground, float y = -4.3f) {
+    Wind wind = made({.cells = {24, 14, 24}, .ambient = {6.0f, 0.0f, 1.0f}});
+    EXPECT_TRUE(wind.obstacles().add({.position = {-30.0, static_cast<double>(y), -30.0}, .shape = ground}));
+    return wind;
+}
+
+// Without exact lines level faces close: distances to the ground shrink by the steepest slope of the whole map.
+TEST(GroundLines, ACliffOutsideOfTheBoxChangesNoBit) {
+    Wind without = over(Ground{hills(1e9)}), with = over(Ground{hills(110.0)});
+    for (int n = 0; n < sampled(60, 6); ++n) {
+        without.step(1.0 / 30.0);
+        with.step(1.0 / 30.0);
+    }
+    EXPECT_EQ(largest_apart(without.field(), with.field()), 0.0);
+    EXPECT_GT(largest_off(with.field(), {6.0f, 0.0f, 1.0f}), 1.0);
+}
+
+using Face = std::tuple<int, int, int, int, float>;
+std::set<Face> faces_over(const Ground& ground, const glm::mat3& axes, const std::function<bool(glm::ivec3)>& counts) {
+    const Box box{.cells = {48, 24, 24}, .cell_size = 1.0f};
+    PlacedObstacle body;
+    body.shape = ground;
+    body.position = {-20.0f, 2.3f, -11.0f};
+    body.axes = axes;
+    Solids solids(box, box.cells.x);
+    solids.place(std::span(&body, 1));
+    std::set<Face> found;
+    for (const ClosedFace& face : solids.faces())
+        if (counts({face.place[0], face.place[1], face.place[2]}))
+            found.insert({face.place[0], face.place[1], face.place[2], face.axis, face.closed});
+    return found;
+}
+
+TEST(GroundLines, ACliffInTheBoxChangesNoFaceTwoCellsAway) {
+    const auto far = [](glm::ivec3 cell) { return cell.x < 28 - 2; };
+    for (const float turned : {0.0f, 0.02f}) {
+        const glm::mat3 axes(glm::mat3_cast(glm::angleAxis(turned, glm::vec3(0.0f, 0.0f, 1.0f))));
+        const auto without = faces_over(Ground{hills(1e9)}, axes, far), with = faces_over(Ground{hills(50.0)}, axes, far);
+        EXPECT_GT(without.size(), 1000u);
+        EXPECT_EQ(without, with) << "turned by " << turned;
+    }
+}
+
+// A ridge thinner than a cell between two centres closes the face, below its crest and not above.
+TEST(GroundLines, ARidgeBetweenTwoCentresClosesFacesBelowItsCrest) {
+    const auto ridge = heights_of({481, 241}, 0.25f, [](double x, double) { return std::abs(x - 30.0) < 0.2 ? 9.0 : 0.0; });
+    const auto closed = faces_over(Ground{ridge}, glm::mat3(1.0f), [](glm::ivec3 cell) { return cell.x == 9; });
+    int whole = 0;
+    for (const auto& [x, y, z, axis, fraction] : closed)
+        whole += axis == 0 && y > 3 && fraction == 1.0f ? 1 : 0;
+    // From height 2.3 up to 11.3 the centres of rows 4 to 10 are below the crest.
+    EXPECT_EQ(whole, 7 * 24);
+}
+
+} // namespace
+} // namespace windrow
