@@ -80,8 +80,8 @@ void add(SoupPart& part, const aiMesh& mesh, const aiMatrix4x4& place) {
 }
 
 // What stands in a node and below it; false: too much.
-bool gather(Soup& soup, std::size_t& corners, const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, bool placed) {
-    const aiMatrix4x4 place = placed ? above * node.mTransformation : aiMatrix4x4();
+bool gather(Soup& soup, std::size_t& corners, const aiScene& scene, const aiNode& node, const aiMatrix4x4& above) {
+    const aiMatrix4x4 place = above * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
         corners += std::size_t{3} * mesh.mNumFaces;
@@ -92,7 +92,7 @@ bool gather(Soup& soup, std::size_t& corners, const aiScene& scene, const aiNode
             mesh, place);
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
-        if (!gather(soup, corners, scene, *node.mChildren[i], place, placed))
+        if (!gather(soup, corners, scene, *node.mChildren[i], place))
             return false;
     return true;
 }
@@ -111,7 +111,7 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
             message(owner, " is not a mesh that Assimp reads: ", importer.GetErrorString(), ": give another file.")};
     Soup soup;
     std::size_t corners = 0;
-    if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4(), ending != "3ds"))
+    if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4()))
         return windrow::Error{message(owner, " has more than ", k_max_triangles, " triangles or ", k_max_parts,
                                       " parts, counting each place: give fewer.")};
     std::erase_if(soup, [](const SoupPart& part) { return part.corners.empty(); });

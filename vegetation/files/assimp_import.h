@@ -9,9 +9,8 @@
 
 namespace windrow::vegetation::fur {
 
-/// `files`: the bytes that Assimp may see, by name; `name` is one of them, and its ending says what it is: obj, gltf, 3ds.
-/// Nothing else is opened. Nodes place their meshes (3DS has none that matter: positions are as the file has them). `owner` is
-/// for sentences. Rejects what Assimp rejects, and more triangles than k_max_triangles.
+/// `files`: the bytes that Assimp may see, by name; `name` is one of them, and its ending says what it is: obj, gltf.
+/// Nothing else is opened. Nodes place their meshes. `owner` is for sentences. Rejects what Assimp rejects, and more triangles than k_max_triangles.
 [[nodiscard]] windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& files, const std::string& name,
                                                 const std::string& owner);
 

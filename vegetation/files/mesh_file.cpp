@@ -6,7 +6,6 @@
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
-#include "vegetation/files/three_ds_chunks.h"
 #include "vegetation/fur/mesh_weld.h"
 
 #include <algorithm>
@@ -61,30 +60,15 @@ Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudg
     return import_soup(files, "mesh.gltf", path.string());
 }
 
-// Normals of a 3DS are Assimp's own, of its faces: ours are made instead.
-Result<Soup> read_three_ds(const fs::path& path, std::string bytes) {
-    auto checked = check_three_ds(std::move(bytes), path.string());
-    if (!checked)
-        return Error{checked.error()};
-    auto soup = import_soup({{"mesh.3ds", *std::move(checked)}}, "mesh.3ds", path.string());
-    if (soup)
-        for (SoupPart& part : *soup)
-            for (Corner& corner : part.corners)
-                corner.normal = glm::vec3(0.0f);
-    return soup;
-}
-
 Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& folder, InputBudget& budget, Coats& coats) {
     const std::string ending = ending_of(path);
-    if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
-        return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.")};
+    if (ending != ".obj" && ending != ".gltf" && ending != ".glb")
+        return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf or .glb.")};
     auto bytes = windrow::detail::read_input(path, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
     if (ending == ".obj")
         return read_obj(path, *bytes, coats, budget);
-    if (ending == ".3ds")
-        return read_three_ds(path, *std::move(bytes));
     return read_gltf(path, *bytes, budget);
 }
 
