@@ -2,7 +2,7 @@
 
 #include "fluid/core/validation.h"
 #include "fluid/files/input_file.h"
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
@@ -20,7 +20,8 @@ namespace {
 
 using windrow::detail::message;
 
-static_assert(k_max_vertices == windrow::scene::k_max_mesh_vertices && k_max_triangles == windrow::scene::k_max_mesh_triangles);
+static_assert(k_max_vertices == windrow::scene::k_max_mesh_vertices && k_max_triangles == windrow::scene::k_max_mesh_triangles &&
+              k_max_parts >= windrow::scene::k_max_materials);
 
 namespace fs = std::filesystem;
 using Coats = std::map<std::string, FurLine>;
@@ -35,7 +36,7 @@ std::string ending_of(const fs::path& path) {
 }
 
 Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats, InputBudget& budget) {
-    auto obj = windrow::scene::check_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
+    const auto obj = windrow::scene::read_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
     if (!obj)
         return Error{obj.error()};
     for (const std::string& library : obj->libraries) {
@@ -47,7 +48,21 @@ Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coa
             return Error{more.error()};
         coats.merge(*more);
     }
-    return import_soup({{"mesh.obj", std::move(obj->text)}}, "mesh.obj", path.string());
+    using windrow::scene::ObjCorner;
+    Soup soup;
+    for (const windrow::scene::ObjPart& from : obj->parts) {
+        SoupPart& part = soup.emplace_back(SoupPart{from.material, {}, true});
+        part.corners.reserve(from.corners.size());
+        for (const ObjCorner& corner : from.corners) {
+            Corner& made = part.corners.emplace_back(Corner{obj->positions[corner.position]});
+            if (corner.normal != ObjCorner::k_none)
+                made.normal = obj->normals[corner.normal];
+            if (corner.uv != ObjCorner::k_none)
+                made.uv = obj->uvs[corner.uv];
+            part.has_uv = part.has_uv && corner.uv != ObjCorner::k_none;
+        }
+    }
+    return soup;
 }
 
 Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudget& budget) {

@@ -2,7 +2,7 @@
 //
 //     auto bunny = fur::read_mesh("bunny.obj", {.size = 1.0f, .max_triangles = 8'000});
 //
-// Assimp turns a file into triangles, and has had memory faults on hostile files. So each file is read here first (scene/obj_text.h,
+// Assimp turns a file into triangles, and has had memory faults on hostile files. So each glTF is read here first (
 // gltf_text.h): counts, sizes, indices and names of files are checked, and assimp is handed only the parts
 // that were understood, from memory. It opens no file.
 //
