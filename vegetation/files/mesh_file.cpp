@@ -3,8 +3,7 @@
 #include "fluid/core/validation.h"
 #include "fluid/files/input_file.h"
 #include "scene/obj_file.h"
-#include "vegetation/files/assimp_import.h"
-#include "vegetation/files/gltf_text.h"
+#include "vegetation/files/gltf_file.h"
 #include "vegetation/files/mesh_folder.h"
 #include "vegetation/fur/mesh_weld.h"
 
@@ -65,16 +64,6 @@ Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coa
     return soup;
 }
 
-Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudget& budget) {
-    auto gltf = check_gltf(bytes, path, budget);
-    if (!gltf)
-        return Error{gltf.error()};
-    std::map<std::string, std::string> files{{"mesh.gltf", std::move(gltf->json)}};
-    for (std::size_t i = 0; i < gltf->buffers.size(); ++i)
-        files[message(i, ".bin")] = std::move(gltf->buffers[i]);
-    return import_soup(files, "mesh.gltf", path.string());
-}
-
 Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& folder, InputBudget& budget, Coats& coats) {
     const std::string ending = ending_of(path);
     if (ending != ".obj" && ending != ".gltf" && ending != ".glb")
@@ -84,7 +73,7 @@ Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& fold
         return Error{bytes.error()};
     if (ending == ".obj")
         return read_obj(path, *bytes, coats, budget);
-    return read_gltf(path, *bytes, budget);
+    return read_gltf(*bytes, path, budget);
 }
 
 void turn(Soup& soup, const MeshLoad& load) {
@@ -154,11 +143,11 @@ Result<void> validate(const MeshLoad& load) {
 
 Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
     InputBudget budget;
-    return read(path, load, std::nullopt, budget);
+    return windrow::detail::where_memory_lasts([&] { return read(path, load, std::nullopt, budget); });
 }
 
 Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load, const fs::path& folder, InputBudget& budget) {
-    return read(path, load, folder, budget);
+    return windrow::detail::where_memory_lasts([&] { return read(path, load, folder, budget); });
 }
 
 } // namespace windrow::vegetation::fur
