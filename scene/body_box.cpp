@@ -2,7 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "fluid/files/input_file.h"
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 #include "scene/scene_parts.h"
 #include "scene/setting_reader.h"
 
@@ -22,18 +22,15 @@ Result<BodyBox> box_of_obj(const std::filesystem::path& file, const MeshLoad& lo
     const auto bytes = detail::read_input(file, {.folder = folder, .max_bytes = k_max_mesh_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
-    const auto obj = check_obj(*bytes, file.string(), {k_max_mesh_vertices, k_max_mesh_triangles});
-    if (!obj)
-        return Error{obj.error()};
     return detail::where_memory_lasts([&]() -> Result<BodyBox> {
-        const MeshData mesh = mesh_of_obj(*obj);
-        if (mesh.triangles.empty())
-            return Error{message(file.string(), " has no faces: export the mesh with them.")};
+        const auto obj = read_obj(*bytes, file.string(), {k_max_mesh_vertices, k_max_mesh_triangles});
+        if (!obj)
+            return Error{obj.error()};
         const MeshTurn turn(load);
         BodyBox turned{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
-        for (const glm::uvec3& triangle : mesh.triangles)
-            for (int n = 0; n < 3; ++n) {
-                const glm::vec3 place = turn(mesh.vertices[triangle[n]]);
+        for (const ObjPart& part : obj->parts)
+            for (const ObjCorner& corner : part.corners) {
+                const glm::vec3 place = turn(obj->positions[corner.position]);
                 turned = {glm::min(turned.low, place), glm::max(turned.high, place)};
             }
         const MeshStand stand(load, turned.low, turned.high);

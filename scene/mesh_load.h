@@ -29,8 +29,7 @@ struct MeshLoad {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("up", &MeshLoad::up,
-                    "Axis of the file that points up: y of glTF and of most OBJ files, z mostly of 3DS files."),
+            Setting("up", &MeshLoad::up, "Axis of the file that points up: y of glTF and of most OBJ files, z of CAD programs."),
             Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"},
                     "Size to which the mesh is scaled, and a fur line's height with it."),
             Setting("size_of", &MeshLoad::size_of, "The length that `size` sets."),

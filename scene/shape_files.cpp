@@ -3,7 +3,7 @@
 #include "fluid/core/message.h"
 #include "fluid/files/input_file.h"
 #include "fluid/files/pgm.h"
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 #include "scene/scene_parts.h"
 #include "scene/vox_file.h"
 
@@ -18,11 +18,13 @@ using detail::message;
 constexpr std::size_t k_max_bytes = std::size_t{128} << 20; // a mesh of a million triangles as text has about as many
 
 Result<MeshData> parse_obj(std::string_view bytes, const std::string& name) {
-    const auto obj =
-        check_obj(bytes, name, {.vertices = 3 * TriangleMesh::k_max_triangles, .triangles = TriangleMesh::k_max_triangles});
-    if (!obj)
-        return Error{obj.error()};
-    return detail::where_memory_lasts([&]() -> Result<MeshData> { return mesh_of_obj(*obj); });
+    return detail::where_memory_lasts([&]() -> Result<MeshData> {
+        const auto obj =
+            read_obj(bytes, name, {.vertices = 3 * TriangleMesh::k_max_triangles, .triangles = TriangleMesh::k_max_triangles});
+        if (!obj)
+            return Error{obj.error()};
+        return mesh_of_obj(*obj);
+    });
 }
 
 Result<HeightData> parse_pgm(std::string_view bytes, const std::string& name) {

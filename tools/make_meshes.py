@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """make_meshes.py [--from FOLDER] [--out FOLDER]: the meshes that the scenes of examples/scenes/fur name.
 
-Copies the Stanford bunny (bunny.obj) and the horse (horse.3ds) from Debian's glmark2-data, which a scene may not read where
-they lie, and makes a polar bear (bear.obj, bear.mtl): a body of rounded cones that flow into one another, cut out of a grid by
+Copies the Stanford bunny (bunny.obj) from Debian's glmark2-data, which a scene may not read where it lies, converts its horse
+(horse.3ds to horse.obj), and makes a polar bear (bear.obj, bear.mtl): a body of rounded cones that flow into one another, cut out of a grid by
 surface nets. The bear's coat stands in its mtl: `fur 48 0.419 2.753 11`, shells, length, thickness and strands along a unit of
 uv. Needs Python alone.
 
@@ -12,11 +12,11 @@ surface crosses the cell's edges.
 import argparse
 import math
 import os
-import shutil
+import struct
 import sys
 
 PACKAGE = "/usr/share/glmark2/models"
-COPIED = ("bunny.obj", "horse.3ds")
+TAKEN = ("bunny.obj", "horse.3ds")
 CELL = 0.19  # units of the bear's file; the bear is some 10 of them long
 TILE = 0.8  # units of the file that one unit of uv covers, so that 11 strands stand on it
 
@@ -174,6 +174,49 @@ Kd 0.03 0.03 0.03
 """
 
 
+def chunks(data, begin, end, path=()):
+    """Each chunk of a 3DS file: the kinds that it lies in and its own, its bytes. A kind is 2 bytes, then 4 of its length."""
+    while end - begin >= 6:
+        kind, length = struct.unpack_from("<HI", data, begin)
+        if not 6 <= length <= end - begin:
+            raise ValueError(f"the chunk at byte {begin} is longer than what it lies in")
+        inner = begin + 6
+        yield (*path, kind), data[inner:begin + length]
+        if kind == 0x4000:  # an object: its name, then chunks
+            inner = data.index(b"\0", inner) + 1
+        elif kind == 0x4120:  # faces: a list, then chunks
+            inner += 2 + 8 * struct.unpack_from("<H", data, inner)[0]
+        if kind in (0x4D4D, 0x3D3D, 0x4000, 0x4100, 0x4120):
+            yield from chunks(data, inner, begin + length, (*path, kind))
+        begin += length
+
+
+def obj_of_3ds(data):
+    """An OBJ of the vertices, uv, faces and materials; exact, without normals. Pitts 1994, The 3D Studio file format."""
+    meshes = []
+    for path, body in chunks(data, 0, len(data)):
+        if path[-1] == 0x4100:
+            meshes.append({"v": [], "vt": [], "faces": [], "materials": []})
+        elif path[-1] in (0x4110, 0x4140):  # vertices, uv: as many
+            key, size = ("v", 3) if path[-1] == 0x4110 else ("vt", 2)
+            meshes[-1][key] = struct.iter_unpack(f"<{size}f", body[2:2 + 4 * size * struct.unpack_from("<H", body)[0]])
+        elif path[-1] == 0x4120:
+            meshes[-1]["faces"] = [face[:3] for face in struct.iter_unpack("<4H", body[2:2 + 8 * struct.unpack_from("<H", body)[0]])]
+        elif path[-1] == 0x4130:  # which of these faces have a material
+            name, _, numbers = body.partition(b"\0")
+            meshes[-1]["materials"].append((name.decode("ascii"), [number for number, in struct.iter_unpack("<H", numbers[2:])]))
+    lines, first = ["# Made by make_meshes.py from a 3DS file."], 1
+    for mesh in meshes:
+        rows = {key: [" ".join([key, *("%.9g" % value for value in row)]) for row in mesh[key]] for key in ("v", "vt")}
+        lines += rows["v"] + rows["vt"]
+        for name, numbers in mesh["materials"]:
+            lines.append(f"usemtl {name}")
+            for face in (mesh["faces"][number] for number in numbers):
+                lines.append("f " + " ".join(f"{first + n}/{first + n}" if rows["vt"] else str(first + n) for n in face))
+        first += len(rows["v"])
+    return "\n".join(lines) + "\n"
+
+
 def write(path, text):
     with open(path + ".part", "w", encoding="ascii") as file:
         file.write(text)
@@ -182,21 +225,26 @@ def write(path, text):
 
 def main():
     parser = argparse.ArgumentParser(description="The meshes that the scenes of examples/scenes/fur name.")
-    parser.add_argument("--from", dest="source", default=PACKAGE, help=f"folder with {' and '.join(COPIED)}; default: {PACKAGE}")
+    parser.add_argument("--from", dest="source", default=PACKAGE, help=f"folder with {' and '.join(TAKEN)}; default: {PACKAGE}")
     parser.add_argument("--out", default=SCENES, help="where they go; default: beside the scenes")
     options = parser.parse_args()
-    missing = [name for name in COPIED if not os.path.isfile(os.path.join(options.source, name))]
+    missing = [name for name in TAKEN if not os.path.isfile(os.path.join(options.source, name))]
+    made = ["bear.mtl"]
     try:
-        for name in COPIED:
-            if name not in missing:
-                shutil.copyfile(os.path.join(options.source, name), os.path.join(options.out, name + ".part"))
-                os.replace(os.path.join(options.out, name + ".part"), os.path.join(options.out, name))
+        for name in TAKEN:
+            if name in missing:
+                continue
+            with open(os.path.join(options.source, name), "rb") as file:
+                data = file.read()
+            text = data.decode("ascii") if name.endswith(".obj") else obj_of_3ds(data)
+            made.append(name.replace(".3ds", ".obj"))
+            write(os.path.join(options.out, made[-1]), text)
         text, count = bear()
         write(os.path.join(options.out, "bear.mtl"), MTL)
         write(os.path.join(options.out, "bear.obj"), text)
     except OSError as error:
         give_up(f"{options.out} cannot be written into ({error.strerror}); name a folder that you may write to.", 2)
-    print(f"{options.out}: bear.obj of {count} vertices, bear.mtl" + "".join(f", {n}" for n in COPIED if n not in missing))
+    print(f"{options.out}: bear.obj of {count} vertices, {', '.join(made)}")
     if missing:
         give_up(f"{options.source} has no {' and no '.join(missing)}; install glmark2-data (./dev setup), or name another "
                 "folder with --from.", 3)

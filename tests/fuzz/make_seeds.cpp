@@ -1,4 +1,4 @@
-// Writes the binary seeds of the fuzz targets into a folder: snapshots, event logs, and meshes as glTF, GLB and 3DS.
+// Writes the binary seeds of the fuzz targets into a folder: snapshots, event logs, and a mesh as GLB.
 #include "fluid/event_log.h"
 #include "fluid/wind.h"
 #include "vegetation/tests/fur/fixtures.h"
@@ -143,6 +143,5 @@ int main(int count, char** arguments) {
     write_snapshots();
     write_logs();
     write("glb/cube", mesh::cube_glb());
-    write("three_ds/cube", mesh::cube_three_ds());
     return 0;
 }

@@ -1,4 +1,4 @@
-// A mesh's bytes through the whole reader: our check, Assimp on what it kept, weld, simplification, normals, uv.
+// A mesh's bytes through the whole reader: our checks, tinygltf, weld, simplification, normals, uv.
 #pragma once
 
 #include "tests/fuzz/fuzz_target.h"

@@ -1,5 +1,5 @@
 // Meshes of obstacles: OBJ, its faces cut into triangles, closed and searched.
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 #include "tests/fuzz/fuzz_target.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace windrow::fuzz {
 
 ReadOutcome read_input(std::string_view bytes) {
-    const auto obj = scene::check_obj(bytes, "mesh.obj", {.vertices = 2'000, .triangles = 1'000});
+    const auto obj = scene::read_obj(bytes, "mesh.obj", {.vertices = 2'000, .triangles = 1'000});
     if (!obj)
         return ReadOutcome::rejected;
     const auto mesh = TriangleMesh::create(scene::mesh_of_obj(*obj));

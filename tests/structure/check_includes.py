@@ -20,7 +20,7 @@ VULKAN = ("vulkan/*", "vulkan.h", "vulkan_core.h", "volk.h", "*/volk.h")
 OPENVDB = ("openvdb/*", "nanovdb/*")
 OPENIMAGEIO = ("OpenImageIO/*",)
 JSON = ("nlohmann/*",)
-ASSIMP = ("assimp/*",)
+TINYGLTF = ("tiny_gltf.h",)
 FOLDERS_OF_OURS = tuple(f"{folder}/*" for folder in FOLDERS)
 # Production code: target folders that none of it knows, `tests` first of all. Examples: see below.
 ABOVE = {
@@ -112,7 +112,7 @@ def breaches_of_include(root, file, name, public):
     elif top not in ("vegetation", "tests", "examples") and target_top == "vegetation":
         yield f"{top} does not know vegetation: it is built without it"
     if top == "vegetation" and not tested and (len(folders) == 1 or folders[1] not in FILES_AND_PROGRAM):
-        if target_top == "scene" or matches(name, JSON + ASSIMP + OPENIMAGEIO) or target == "pictures/picture_files.h":
+        if target_top == "scene" or matches(name, JSON + TINYGLTF + OPENIMAGEIO) or target == "pictures/picture_files.h":
             yield "the renderer is a library without files: no scene, JSON, mesh or picture files"
         if target_top == "vegetation" and len(target_folders) > 1 and target_folders[1] in FILES_AND_PROGRAM + TESTS_AND_BENCH:
             yield f"the renderer does not know vegetation/{target_folders[1]}"

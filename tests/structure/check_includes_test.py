@@ -35,7 +35,7 @@ CLEAN = {
     "vegetation/render/renderer.h": '#include "../../coupling/blade.h"\n#include "../../pictures/picture.h"\n'
                                     '#include <vulkan/vulkan_core.h>\n#include "../shaders/numerics/grass.glsl"\n',
     "vegetation/render/hidden.h": "",
-    "vegetation/files/mesh_file.cpp": "#include <assimp/scene.h>\n#include <nlohmann/json.hpp>\n#include <OpenImageIO/imageio.h>\n",
+    "vegetation/files/mesh_file.cpp": "#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n#include <OpenImageIO/imageio.h>\n",
     "vegetation/program/program.h": '#include "scene/scene.h"\n#include "pictures/picture_files.h"\n',
     "vegetation/tests/render/light_test.cpp": '#include "tests/figure.h"\n#include "vegetation/program/program.h"\n',
     "tests/figure.h": "",

@@ -1,6 +1,6 @@
 // Meshes and voxel grids that a scene names: what is read, how faces are cut into triangles, and what is rejected.
 #include "fluid/core/bytes.h"
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 #include "scene/scene_reader.h"
 #include "scene/vox_file.h"
 #include "tests/own_folder.h"
@@ -177,7 +177,7 @@ MeshData face(const std::vector<glm::vec3>& corners) {
         text += detail::message("v ", corners[n].x, " ", corners[n].y, " ", corners[n].z, "\n");
         face += detail::message(" ", n + 1);
     }
-    const auto obj = check_obj(text + face + "\n", "face.obj", {.vertices = 100, .triangles = 100});
+    const auto obj = read_obj(text + face + "\n", "face.obj", {.vertices = 100, .triangles = 100});
     EXPECT_TRUE(obj) << obj.error();
     return obj ? mesh_of_obj(*obj) : MeshData{};
 }

@@ -2,11 +2,9 @@
 
 #include "fluid/core/validation.h"
 #include "fluid/files/input_file.h"
-#include "scene/obj_text.h"
-#include "vegetation/files/assimp_import.h"
-#include "vegetation/files/gltf_text.h"
+#include "scene/obj_file.h"
+#include "vegetation/files/gltf_file.h"
 #include "vegetation/files/mesh_folder.h"
-#include "vegetation/files/three_ds_chunks.h"
 #include "vegetation/fur/mesh_weld.h"
 
 #include <algorithm>
@@ -21,7 +19,8 @@ namespace {
 
 using windrow::detail::message;
 
-static_assert(k_max_vertices == windrow::scene::k_max_mesh_vertices && k_max_triangles == windrow::scene::k_max_mesh_triangles);
+static_assert(k_max_vertices == windrow::scene::k_max_mesh_vertices && k_max_triangles == windrow::scene::k_max_mesh_triangles &&
+              k_max_parts >= windrow::scene::k_max_materials);
 
 namespace fs = std::filesystem;
 using Coats = std::map<std::string, FurLine>;
@@ -36,7 +35,7 @@ std::string ending_of(const fs::path& path) {
 }
 
 Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats, InputBudget& budget) {
-    auto obj = windrow::scene::check_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
+    const auto obj = windrow::scene::read_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
     if (!obj)
         return Error{obj.error()};
     for (const std::string& library : obj->libraries) {
@@ -48,44 +47,33 @@ Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coa
             return Error{more.error()};
         coats.merge(*more);
     }
-    return import_soup({{"mesh.obj", std::move(obj->text)}}, "mesh.obj", path.string());
-}
-
-Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudget& budget) {
-    auto gltf = check_gltf(bytes, path, budget);
-    if (!gltf)
-        return Error{gltf.error()};
-    std::map<std::string, std::string> files{{"mesh.gltf", std::move(gltf->json)}};
-    for (std::size_t i = 0; i < gltf->buffers.size(); ++i)
-        files[message(i, ".bin")] = std::move(gltf->buffers[i]);
-    return import_soup(files, "mesh.gltf", path.string());
-}
-
-// Normals of a 3DS are Assimp's own, of its faces: ours are made instead.
-Result<Soup> read_three_ds(const fs::path& path, std::string bytes) {
-    auto checked = check_three_ds(std::move(bytes), path.string());
-    if (!checked)
-        return Error{checked.error()};
-    auto soup = import_soup({{"mesh.3ds", *std::move(checked)}}, "mesh.3ds", path.string());
-    if (soup)
-        for (SoupPart& part : *soup)
-            for (Corner& corner : part.corners)
-                corner.normal = glm::vec3(0.0f);
+    using windrow::scene::ObjCorner;
+    Soup soup;
+    for (const windrow::scene::ObjPart& from : obj->parts) {
+        SoupPart& part = soup.emplace_back(SoupPart{from.material, {}, true});
+        part.corners.reserve(from.corners.size());
+        for (const ObjCorner& corner : from.corners) {
+            Corner& made = part.corners.emplace_back(Corner{obj->positions[corner.position]});
+            if (corner.normal != ObjCorner::k_none)
+                made.normal = obj->normals[corner.normal];
+            if (corner.uv != ObjCorner::k_none)
+                made.uv = obj->uvs[corner.uv];
+            part.has_uv = part.has_uv && corner.uv != ObjCorner::k_none;
+        }
+    }
     return soup;
 }
 
 Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& folder, InputBudget& budget, Coats& coats) {
     const std::string ending = ending_of(path);
-    if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
-        return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.")};
+    if (ending != ".obj" && ending != ".gltf" && ending != ".glb")
+        return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf or .glb.")};
     auto bytes = windrow::detail::read_input(path, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
     if (ending == ".obj")
         return read_obj(path, *bytes, coats, budget);
-    if (ending == ".3ds")
-        return read_three_ds(path, *std::move(bytes));
-    return read_gltf(path, *bytes, budget);
+    return read_gltf(*bytes, path, budget);
 }
 
 void turn(Soup& soup, const MeshLoad& load) {
@@ -155,11 +143,11 @@ Result<void> validate(const MeshLoad& load) {
 
 Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
     InputBudget budget;
-    return read(path, load, std::nullopt, budget);
+    return windrow::detail::where_memory_lasts([&] { return read(path, load, std::nullopt, budget); });
 }
 
 Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load, const fs::path& folder, InputBudget& budget) {
-    return read(path, load, folder, budget);
+    return windrow::detail::where_memory_lasts([&] { return read(path, load, folder, budget); });
 }
 
 } // namespace windrow::vegetation::fur

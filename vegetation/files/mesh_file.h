@@ -1,10 +1,9 @@
-// Meshes from files: OBJ (with the fur line of its mtl), glTF and GLB, 3DS.
+// Meshes from files: OBJ (with the fur line of its mtl), glTF and GLB.
 //
 //     auto bunny = fur::read_mesh("bunny.obj", {.size = 1.0f, .max_triangles = 8'000});
 //
-// Assimp turns a file into triangles, and has had memory faults on hostile files. So each file is read here first (scene/obj_text.h,
-// gltf_text.h, three_ds_chunks.h): counts, sizes, indices and names of files are checked, and assimp is handed only the parts
-// that were understood, from memory. It opens no file.
+// Counts, sizes, indices and names of files are checked (scene/obj_file.h, gltf_file.h); files beside the mesh are read through
+// mesh_folder.h alone.
 //
 // What then happens, in order: positions turned (y up), one vertex for each position and uv, triangles without area dropped,
 // normals (mesh_normals.h), fewer triangles if asked (mesh.h), uv of a box where there are none (mesh.h), placed.

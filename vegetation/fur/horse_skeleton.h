@@ -1,7 +1,7 @@
 // Bones for the horse of Debian's glmark2-data, which stands reared on its hind legs: it paws the air, tosses its head, swings
 // its tail. It cannot walk without its forelegs on the ground.
 //
-//     auto horse = fur::read_mesh("/usr/share/glmark2/models/horse.3ds", {.size = 2.4f});
+//     auto horse = fur::read_mesh("examples/scenes/fur/horse.obj", {.size = 2.4f}); // tools/make_meshes.py makes it
 //     auto bones = fur::horse_skeleton(2.4f);
 #pragma once
 

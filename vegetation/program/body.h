@@ -28,11 +28,11 @@ using windrow::scene::BodyMotion, windrow::scene::BodyPlace;
 
 struct PictureScene;
 
-/// A mesh beside the scene: OBJ, glTF, GLB or 3DS. It is read when the scene is drawn, not when the scene is read.
+/// A mesh beside the scene: OBJ, glTF or GLB. It is read when the scene is drawn, not when the scene is read.
 struct MeshSource {
     static constexpr const char* k_name = "file";
     static constexpr const char* k_meaning =
-        "A mesh beside the scene: OBJ with its mtl, glTF, GLB or 3DS. It is read when the scene is drawn. A coat whose material "
+        "A mesh beside the scene: OBJ with its mtl, glTF or GLB. It is read when the scene is drawn. A coat whose material "
         "has a fur line in the mtl has its shells, length, thickness and density where the scene names none.";
     std::string name{};
     fur::MeshLoad load{};

@@ -31,7 +31,7 @@ void read_part(JsonObject object, MeshSource& mesh, Surroundings& around) {
     read_parts(object, mesh, around, [&](const auto& row, auto& member) {
         if constexpr (std::same_as<decltype(member), std::string&>)
             if (!read_file(object, {row.name, row.meaning}, member, around) && !object.value().contains(row.name))
-                object.reject(row.name, "is missing: name a mesh in the scene's folder, OBJ, glTF, GLB or 3DS.");
+                object.reject(row.name, "is missing: name a mesh in the scene's folder, OBJ, glTF or GLB.");
         return std::same_as<decltype(member), std::string&>;
     });
     object.finish();

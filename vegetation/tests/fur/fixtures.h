@@ -1,4 +1,4 @@
-// Small meshes as files: a cube of side 2 with its corner cut open or not, as OBJ, glTF, GLB and 3DS.
+// Small meshes as files: a cube of side 2 with its corner cut open or not, as OBJ, glTF and GLB.
 #pragma once
 
 #include <array>
@@ -72,39 +72,6 @@ inline std::string cube_glb() {
     put(bytes, static_cast<std::uint32_t>(buffer.size()));
     bytes += std::string_view("BIN\0", 4);
     return bytes + buffer;
-}
-
-inline std::string chunk(std::uint16_t kind, const std::string& content) {
-    std::string bytes;
-    put(bytes, kind);
-    put(bytes, static_cast<std::uint32_t>(6 + content.size()));
-    return bytes + content;
-}
-
-inline std::string cube_three_ds() {
-    std::string vertices, faces, of_material = std::string("coat") + '\0', uv;
-    put(vertices, std::uint16_t{8});
-    put(uv, std::uint16_t{8});
-    for (const auto& corner : k_corners)
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            put(vertices, corner[axis]);
-            if (axis < 2)
-                put(uv, corner[axis]);
-        }
-    put(faces, std::uint16_t{12});
-    put(of_material, std::uint16_t{12});
-    for (std::uint16_t i = 0; i < 12; ++i) {
-        for (const std::uint16_t index : k_faces[i])
-            put(faces, index);
-        put(faces, std::uint16_t{7}); // all edges seen
-        put(of_material, i);
-    }
-    const std::string mesh =
-        chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4140, uv) + chunk(0x4120, faces + chunk(0x4130, of_material)));
-    const std::string material =
-        chunk(0xafff, chunk(0xa000, std::string("coat") + '\0') + chunk(0xa020, std::string(13, '\x11')));
-    return chunk(0x4d4d, chunk(0x0002, std::string("\3\0\0\0", 4)) +
-                             chunk(0x3d3d, material + chunk(0x4000, std::string("cube") + '\0' + mesh)));
 }
 
 } // namespace windrow::vegetation::fur::test

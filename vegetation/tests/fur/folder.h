@@ -43,6 +43,11 @@ inline std::filesystem::path glmark2(const char* name) {
     return std::filesystem::path("/usr/share/glmark2/models") / name;
 }
 
+/// Meshes that tools/make_meshes.py makes; the test program.make_meshes runs it first.
+inline std::filesystem::path made(const char* name) {
+    return std::filesystem::path(WINDROW_SOURCE_DIR) / "examples/scenes/fur" / name;
+}
+
 /// A mesh of glmark2-data that is not installed fails the test: ./dev installs it.
 #define WINDROW_NEEDS_GLMARK2(name)                                                                                              \
     if (!std::filesystem::exists(fur::test::glmark2(name)))                                                                      \

@@ -55,7 +55,7 @@ TEST(MeshCost, PrimitivesThatShareAnAccessorCountEachUse) {
                        std::to_string(k_vertices) + R"(}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)";
     for (int i = 0; i < 4096; ++i)
         text += i == 0 ? R"({"attributes":{"POSITION":0}})" : R"(,{"attributes":{"POSITION":0}})";
-    expect_cheap(folder.write("many.gltf", text + "]}]}"), "counting each use of an accessor");
+    expect_cheap(folder.write("many.gltf", text + "]}]}"), "counting each place");
 }
 
 TEST(MeshCost, FilesThatAreNone) {

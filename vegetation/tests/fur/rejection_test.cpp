@@ -31,11 +31,13 @@ TEST(MeshRejections, WhatIsNoMesh) {
     expect_rejected(folder.write("empty.obj", ""), "has no faces");
     expect_rejected(folder.write("words.obj", "this is\nno mesh\n"), "has no faces");
     expect_rejected(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "has no faces");
-    expect_rejected(folder.write("empty.3ds", ""), "is not a 3DS file");
-    expect_rejected(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
+    expect_rejected(folder.write("mesh.3ds", "MM"), "give a mesh as .obj");
     expect_rejected(folder.write("empty.gltf", ""), "empty.gltf");
     expect_rejected(folder.write("list.gltf", "[]"), "is not an object");
     expect_rejected(folder.write("empty.glb", "glTF"), "complete GLB");
+    std::string glb = test::cube_glb(); // its binary chunk 4 bytes longer than the file
+    glb[glb.find(std::string_view("BIN\0", 4)) - 4] += 4;
+    expect_rejected(folder.write("short.glb", glb), "longer than the file");
     expect_rejected(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
     // A long file is rejected by its length; a sparse one takes no disk.
     std::filesystem::resize_file(folder.write("long.obj", ""), k_max_bytes + 1);
@@ -100,7 +102,7 @@ TEST(MeshRejections, FilesOutsideOfTheFolder) {
         expect_rejected(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
     expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "no such file");
     expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
-                    "not base64");
+                    "Failed to decode 'uri'");
     expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
 }
 
@@ -114,31 +116,34 @@ TEST(MeshRejections, OfGltf) {
     const Change changes[] = {
         {R"("count":36)", R"("count":37)", "reaches beyond its view"},
         {R"("count":36)", R"("count":35)", "three a triangle"},
-        {R"("count":36)", R"("count":4294967296)", "not a count"},
-        {R"("count":36)", R"("count":-3)", "not a count"},
+        {R"("count":36)", R"("count":4294967296)", ".count is not a count"},
+        {R"("count":36)", R"("count":-3)", ".count is not a count"},
         {R"("count":36)", R"("count":400000000)", ".count is"},
         {R"("count":8)", R"("count":7)", "has the index 7"},
         {R"("count":8)", R"("count":0)", ".count is 0"},
-        {R"("byteLength":168)", R"("byteLength":169)", "has 168 bytes"},
+        {R"("byteLength":168)", R"("byteLength":169)", "has 168 bytes, and byteLength is 169"},
         {R"("byteLength":168)", R"("byteLength":4000000000)", "byteLength"},
         {R"("byteLength":72)", R"("byteLength":73)", "reaches beyond its buffer"},
         {R"("byteOffset":96)", R"("byteOffset":400000000)", "reaches beyond its buffer"},
-        {R"("byteLength":96)", R"("byteLength":96,"byteStride":8)", "byteStride"},
+        {R"("byteLength":96)", R"("byteLength":96,"byteStride":8)", "byteStride is 8"},
         {R"("type":"VEC3")", R"("type":"VEC2")", "VEC3 of floats"},
         {R"("componentType":5123)", R"("componentType":5126)", "SCALAR of unsigned"},
         {R"("componentType":5126)", R"("componentType":5123)", "VEC3 of floats"},
-        {R"("bufferView":0)", R"("bufferView":9)", "is missing or not an object"},
-        {R"("buffer":0)", R"("buffer":1)", "is missing or not an object"},
-        {R"("indices":1)", R"("indices":2)", "is missing or not an object"},
-        {R"("material":0)", R"("material":1)", "is missing or not an object"},
+        {R"("bufferView":0)", R"("bufferView":9)", "$.bufferViews[9] is missing"},
+        {R"("buffer":0)", R"("buffer":1)", "$.buffers[1] is missing"},
+        {R"("indices":1)", R"("indices":2)", "indices accessor out of bounds"},
+        {R"("material":0)", R"("material":1)", "$.materials[1] is missing"},
         {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
-        {R"("mesh":0)", R"("mesh":1)", "is missing or not an object"},
-        {R"("children":[1])", R"("children":[2])", "names a node that does not exist"},
+        {R"("mesh":0)", R"("mesh":1)", "$.meshes[1] is missing"},
+        {R"("children":[1])", R"("children":[2])", "$.nodes[2] is missing"},
         {R"("children":[1])", R"("children":[1,1])", "has a parent"},
         {R"("children":[1])", R"("children":[0])", "in a cycle"},
         {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
+        {R"("scale":[1,2,1])", R"("scale":null)", "finite numbers"},
+        {R"("children":[1])", R"("children":["1"])", "not a list of nodes"},
+        {R"("byteOffset":96)", R"("byteOffset":-4)", "not a count"},
         {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
-        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is missing or not an object"},
+        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "without POSITION"},
         {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)", "without compression"}};
     const std::string whole = test::cube_gltf(R"(,"uri":"cube.bin")");
     ASSERT_TRUE(read_mesh(folder.write("whole.gltf", whole)));
@@ -153,25 +158,7 @@ TEST(MeshRejections, OfGltf) {
     const float nan = std::nanf("");
     std::memcpy(buffer.data() + 4, &nan, 4);
     folder.write("cube.bin", buffer);
-    expect_rejected(folder.write("whole.gltf", whole), "not finite");
-}
-
-TEST(MeshRejections, OfThreeDs) {
-    const Folder folder;
-    const std::string whole = test::cube_three_ds();
-    const auto with = [&](std::string_view mark, std::size_t offset, std::uint16_t value) {
-        std::string bytes = whole;
-        std::memcpy(bytes.data() + bytes.find(mark) + offset, &value, 2);
-        return folder.write("wrong.3ds", bytes);
-    };
-    const std::string_view vertices("\x10\x41", 2), faces("\x20\x41", 2), uv("\x40\x41", 2);
-    expect_rejected(with(vertices, 6, 9), "give one complete list");
-    expect_rejected(with(vertices, 6, 7), "give one complete list");
-    expect_rejected(with(faces, 8, 8), "with the vertex 8");
-    expect_rejected(with(faces, 6, 60000), "give one complete list");
-    expect_rejected(with(uv, 6, 7), "give one complete list");
-    expect_rejected(with(faces, 4, 60000), "does not fit");
-    expect_rejected(with(vertices, 10, 0x7f80), "not finite");
+    expect_rejected(folder.write("whole.gltf", whole), "give finite ones");
 }
 
 TEST(MeshRejections, OfLoads) {
@@ -202,8 +189,7 @@ TEST(MeshRejections, BrokenFilesAreRejectedOrSound) {
     folder.write("cube.bin", test::cube_buffer());
     const std::pair<const char*, std::string> files[] = {{"broken.obj", test::k_cube_obj},
                                                          {"broken.gltf", test::cube_gltf(R"(,"uri":"cube.bin")")},
-                                                         {"broken.glb", test::cube_glb()},
-                                                         {"broken.3ds", test::cube_three_ds()}};
+                                                         {"broken.glb", test::cube_glb()}};
     std::mt19937 chance(9); // the same on every machine
     int read = 0, rejected = 0;
     const auto attempt = [&](const char* name, const std::string& bytes) {
@@ -228,7 +214,7 @@ TEST(MeshRejections, BrokenFilesAreRejectedOrSound) {
     }
     windrow::test::figure("shells/broken_files/rejected", rejected);
     windrow::test::figure("shells/broken_files/read", read);
-    EXPECT_EQ(read + rejected, 1200);
+    EXPECT_EQ(read + rejected, 900);
     EXPECT_GT(read, 0);
     EXPECT_GT(rejected, 0);
 }

@@ -172,8 +172,7 @@ TEST(Skeletons, TheBeastWalks) {
 }
 
 TEST(Skeletons, TheHorseIsBoundWhole) {
-    WINDROW_NEEDS_GLMARK2("horse.3ds");
-    auto horse = read_mesh(test::glmark2("horse.3ds"), {.size = 2.4f});
+    auto horse = read_mesh(test::made("horse.obj"), {.size = 2.4f});
     const auto bones = horse_skeleton(2.4f);
     ASSERT_TRUE(horse) << horse.error();
     ASSERT_TRUE(bones) << bones.error();

@@ -110,7 +110,7 @@ TEST(BodyReader, Rejections) {
         "the folder can be copied as a whole.");
     expect(R"({"mesh": {"file": {}}})",
            "a.json: $.picture.bodies[0].mesh.file.name is missing: name a mesh in the scene's folder, "
-           "OBJ, glTF, GLB or 3DS.");
+           "OBJ, glTF or GLB.");
     expect(R"({"mesh": {"wing": {"span": 0}}})", "a.json: $.picture.bodies[0].mesh.wing.span is 0 m: give 0.01 to 100 m.");
     expect(R"({"motion": {"path": "wey"}})",
            "a.json: $.picture.bodies[0].motion.path is \"wey\", which is not in $.paths (did you mean `way`?): "

@@ -94,7 +94,7 @@ TEST(BodyBoxes, AreThoseOfTheMeshes) {
     EXPECT_EQ(apart(box_of("{}"), fur::cube_sphere({})), 0.0) << "a body without a mesh is a ball";
 }
 
-TEST(BodyBoxes, OfAnObjAreThoseThatAssimpReads) {
+TEST(BodyBoxes, OfAnObjAreThoseOfTheBody) {
     const test::Folder folder;
     folder.write("wedge.obj", "v 4 0 0\nv 0 1.25 0\nv 0 0 1\nv 0 0 -2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     for (const auto up : {fur::UpAxis::x, fur::UpAxis::y, fur::UpAxis::z}) {

@@ -1,11 +1,13 @@
-#include "scene/obj_text.h"
+#include "scene/obj_file.h"
 
 #include "fluid/core/message.h"
 #include "fluid/files/text_lines.h"
+#include "scene/face_ears.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace windrow::scene {
 namespace {
@@ -17,23 +19,23 @@ constexpr std::size_t k_max_libraries = 64;
 class Scanner {
   public:
     Scanner(std::string_view text, const std::string& name, const ObjLimits& limits)
-        : lines_(text), name_(name), limits_(limits) {
-        out_.text.reserve(text.size());
-    }
+        : lines_(text), name_(name), limits_(limits) {}
 
-    Result<ObjText> run() {
+    Result<ObjFile> run() {
         for (std::string_view line; fault_.empty() && lines_.next(line);)
             statement(line);
         if (fault_.empty() && triangles_ == 0)
             return Error{message(name_, " has no faces: give a mesh of triangles.")};
         if (!fault_.empty())
             return Error{fault_};
+        std::erase_if(out_.parts, [](const ObjPart& part) { return part.corners.empty(); });
         return std::move(out_);
     }
 
   private:
     // Index kinds of a corner, in the order in which they are written.
     enum Kind { position, uv, normal };
+    static constexpr std::array<std::string_view, 3> k_keys{"v", "vt", "vn"};
 
     template <class... Words>
     void fail(const Words&... words) {
@@ -47,28 +49,29 @@ class Scanner {
         if (!key.empty() && key.front() != '#' && !line.empty() && line.back() == '\\')
             return fail("the line ends in a backslash: join it with the next.");
         if (key == "v")
-            numbers(position, "v ", line, 3, 3);
+            vector(position, line, 3, out_.positions);
         else if (key == "vt")
-            numbers(uv, "vt ", line, 1, 2);
+            vector(uv, line, 1, out_.uvs);
         else if (key == "vn")
-            numbers(normal, "vn ", line, 3, 3);
+            vector(normal, line, 3, out_.normals);
         else if (key == "f")
             face(line);
         else if (key == "usemtl")
-            keep("usemtl ", trimmed(line));
+            material(trimmed(line));
         else if (key == "mtllib")
             library(trimmed(line));
     }
 
-    // A material's name as it stands.
-    void keep(std::string_view key, std::string_view words) {
-        if (words.size() > 255)
-            return fail("the material's name has ", words.size(), " bytes: give at most 255.");
-        if (words.empty())
-            words = "none";
-        detail::append(out_.text, key);
-        detail::append(out_.text, words);
-        out_.text += '\n';
+    // The part that the next faces belong to.
+    void material(std::string_view name) {
+        if (name.size() > 255)
+            return fail("the material's name has ", name.size(), " bytes: give at most 255.");
+        const auto [known, is_new] = part_numbers_.try_emplace(name.empty() ? "none" : std::string(name), out_.parts.size());
+        if (is_new)
+            out_.parts.push_back({known->first});
+        if (out_.parts.size() > k_max_materials)
+            return fail("there are more than ", k_max_materials, " materials: give fewer.");
+        part_ = known->second;
     }
 
     void library(std::string_view words) {
@@ -77,24 +80,22 @@ class Scanner {
         out_.libraries.emplace_back(words);
     }
 
-    // The first of these are needed, those up to `most` kept, and the rest (w, colours) left out.
-    void numbers(Kind kind, std::string_view key, std::string_view words, int least, int most) {
+    // The first `least` numbers are needed; those behind the vector's (w, colours) are left out.
+    template <class Vector>
+    void vector(Kind kind, std::string_view words, int least, std::vector<Vector>& list) {
         if (++counts_[kind] > limits_.vertices)
-            return fail("there are more than ", limits_.vertices, " lines ", key, ": give fewer.");
-        detail::append(out_.text, key);
-        for (int i = 0; i < most; ++i) {
+            return fail("there are more than ", limits_.vertices, " lines ", k_keys[kind], ": give fewer.");
+        Vector& values = list.emplace_back(0.0f);
+        for (int i = 0; i < Vector::length(); ++i) {
             std::string_view word = take_word(words);
             const std::string_view written = word;
             if (word.empty() && i >= least)
-                word = "0";
+                return;
             if (word.starts_with('+'))
                 word.remove_prefix(1);
-            float value = 0.0f;
-            const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-            if (fault != std::errc() || end != word.data() + word.size() || !(std::abs(value) <= 1e30f))
-                return fail(key, "has '", written, "': give ", least, " finite numbers.");
-            detail::append(out_.text, value);
-            out_.text += i + 1 < most ? ' ' : '\n';
+            const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), values[i]);
+            if (fault != std::errc() || end != word.data() + word.size() || !(std::abs(values[i]) <= 1e30f))
+                return fail(k_keys[kind], " has '", written, "': give ", least, " finite numbers.");
         }
     }
 
@@ -104,18 +105,18 @@ class Scanner {
         const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
         const auto count = static_cast<long long>(counts_[kind]);
         if (fault != std::errc() || end != word.data() + word.size() || value == 0 || value > count || value < -count) {
-            constexpr std::array<std::string_view, 3> names{"v", "vt", "vn"};
-            fail("the face's index '", word, "' means no ", names[kind], " above it: give 1 to ", count, ".");
+            fail("the face's index '", word, "' means no ", k_keys[kind], " above it: give 1 to ", count, ".");
             return 0;
         }
         return static_cast<std::size_t>(value < 0 ? count + value + 1 : value);
     }
 
     void face(std::string_view words) {
-        std::size_t corners = 0;
+        std::size_t count = 0;
         std::array<bool, 3> first{};
-        out_.text += 'f';
-        for (std::string_view word = take_word(words); !word.empty(); word = take_word(words), ++corners) {
+        std::array<ObjCorner, k_max_corners> corners;
+        std::array<glm::vec3, k_max_corners> outline;
+        for (std::string_view word = take_word(words); !word.empty(); word = take_word(words), ++count) {
             std::array<std::string_view, 3> parts;
             std::size_t part = 0;
             for (; part < 3; ++part) {
@@ -126,32 +127,42 @@ class Scanner {
                 word.remove_prefix(slash + 1);
             }
             const std::array<bool, 3> has{true, !parts[uv].empty(), !parts[normal].empty()};
-            if (corners == 0)
+            if (count == 0)
                 first = has;
             if (part == 3 || has != first)
                 return fail("the face's corners are of different kinds: give all as v, v/vt, v//vn or v/vt/vn.");
+            ObjCorner corner;
             for (const Kind kind : {position, uv, normal}) {
-                if (!has[kind])
-                    continue;
-                const std::size_t number = index(kind, parts[kind]);
-                if (number == 0)
+                const std::size_t number = has[kind] ? index(kind, parts[kind]) : 0;
+                if (has[kind] && number == 0)
                     return;
-                out_.text += kind == position ? " " : kind == normal && !has[uv] ? "//" : "/";
-                detail::append(out_.text, number);
+                (kind == position ? corner.position
+                 : kind == uv     ? corner.uv
+                                  : corner.normal) = static_cast<std::uint32_t>(number) - 1; // 0 becomes k_none
+            }
+            if (count < k_max_corners) {
+                corners[count] = corner;
+                outline[count] = out_.positions[corner.position];
             }
         }
-        if (corners < 3 || corners > k_max_corners)
-            return fail("the face has ", corners, " corners: give 3 to ", k_max_corners, ".");
-        triangles_ += corners - 2;
+        if (count < 3 || count > k_max_corners)
+            return fail("the face has ", count, " corners: give 3 to ", k_max_corners, ".");
+        triangles_ += count - 2;
         if (triangles_ > limits_.triangles)
             return fail("there are more than ", limits_.triangles, " triangles: give fewer.");
-        out_.text += '\n';
+        if (out_.parts.empty())
+            material("none");
+        for (const glm::uvec3& triangle : cut_face(std::span(outline).first(count)))
+            for (int n = 0; n < 3; ++n)
+                out_.parts[part_].corners.push_back(corners[triangle[n]]);
     }
 
     detail::TextLines lines_;
     const std::string& name_;
     const ObjLimits& limits_;
-    ObjText out_;
+    ObjFile out_;
+    std::map<std::string, std::size_t> part_numbers_;
+    std::size_t part_ = 0;
     std::array<std::size_t, 3> counts_{};
     std::size_t triangles_ = 0;
     std::string fault_;
@@ -159,8 +170,16 @@ class Scanner {
 
 } // namespace
 
-Result<ObjText> check_obj(std::string_view text, const std::string& name, const ObjLimits& limits) {
+Result<ObjFile> read_obj(std::string_view text, const std::string& name, const ObjLimits& limits) {
     return Scanner(text, name, limits).run();
+}
+
+MeshData mesh_of_obj(const ObjFile& obj) {
+    MeshData data{.vertices = obj.positions};
+    for (const ObjPart& part : obj.parts)
+        for (std::size_t i = 0; i < part.corners.size(); i += 3)
+            data.triangles.emplace_back(part.corners[i].position, part.corners[i + 1].position, part.corners[i + 2].position);
+    return data;
 }
 
 } // namespace windrow::scene
