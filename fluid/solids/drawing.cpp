@@ -1,6 +1,6 @@
 // Drawings of bodies: which faces they close, and which cells are inside (solids.h). A face's fraction is that of its area where the
-// distance is negative, linear between its corners and its middle. A body thinner than k_tight cells closes whole faces where a
-// centre inside and one outside meet: it may hold no corner of a face, and the air would pass through cells whose centres it holds.
+// distance is negative, linear between its corners and its middle. A body thinner than k_thin_wall cells closes all faces of the
+// cells whose centres it holds: it may hold no corner of a face, and the air would pass through them.
 // Based on: Ng, Min & Gibou 2009, Journal of Computational Physics 228 (fractions of faces from distances at their corners).
 #include "fluid/solids/body_view.h"
 
@@ -150,7 +150,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
         measure_ground(*ground, view, reach, corners);
     else
         measure(view, reach, corners);
-    const bool tight = !flat && detail::thickness(body.shape) < k_tight * view.coarsest * view.cell_size;
+    const bool tight = !flat && detail::thickness(body.shape) < k_thin_wall * view.coarsest * view.cell_size;
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];
@@ -171,7 +171,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
                 const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
                 closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
             }
-            if (closed < 1.0f && tight && in != (depth_at(view, reach, cell + glm::ivec3(step)) <= 0.0f))
+            if (closed < 1.0f && tight && (in || depth_at(view, reach, cell + glm::ivec3(step)) <= 0.0f))
                 closed = 1.0f;
             if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
                 closed = 1.0f;

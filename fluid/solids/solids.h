@@ -190,7 +190,7 @@ class Solids {
     /// it closes, and each costs as much.
     static constexpr float k_least_closed = 2.0f * k_touch;
     /// [cells] Thickness below which a body is tight by whole faces. Of 1.2 cells, fractions still let 7 % of a wind through.
-    static constexpr float k_tight = 1.5f;
+    static constexpr float k_thin_wall = 1.5f;
     static constexpr int k_ghost_layers = 3;
     static constexpr std::uint8_t k_room = 255;     ///< in `layers_`: air of a closed room
     static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
