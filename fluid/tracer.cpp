@@ -20,8 +20,7 @@ Result<Tracer> Tracer::create(const WindView& air, const ParallelFor& parallel_f
 }
 
 Tracer::Tracer(const WindView& air, Workspace work)
-    : work_(std::move(work)), window_(air.window()), cells_(air.box().cell_count(), 0.0f), carried_(cells_.size()),
-      joined_(cells_.size()) {
+    : work_(std::move(work)), window_(air.window()), cells_(air.box().cell_count(), 0.0f), carried_(cells_.size()) {
     window_.rows = work_.box().rows.get();
 }
 
@@ -59,6 +58,8 @@ Result<void> Tracer::step(const WindView& air, std::span<const PlacedObstacle> o
                                      ": make a tracer for each wind.")};
     if (auto placed = work_.set_obstacles(obstacles); !placed)
         return placed;
+    if (work_.solids() != nullptr && joined_.empty() && !detail::memory_lasts([&] { joined_.resize(cells_.size()); }))
+        return detail::out_of_memory();
     move_to(air.window());
     if (!(dt > 0.0))
         return {};

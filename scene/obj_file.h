@@ -44,7 +44,7 @@ struct ObjLimits {
     std::size_t vertices, triangles;
 };
 
-/// Faces of more corners than three are cut within their outline (face_ears.h). Rejects, with `name` and the line's number: numbers
+/// Faces of more corners than three are cut within their outline. Rejects, with `name` and the line's number: numbers
 /// that are none or not finite, indices without a vertex, faces of fewer than 3 or more than k_max_corners corners or with
 /// different kinds of corners, more vertices or triangles than `limits`, more than k_max_materials, lines that go on after a
 /// backslash, and zero bytes. Throws std::bad_alloc.

@@ -64,6 +64,8 @@ void Solids::measure_ground(const Ground& ground, const View& view, const Reach&
                     distances[n++] = (y - heights_[static_cast<std::size_t>(k) * across + i]) / view.cell_size - touch;
             }
     };
+    fill(corners, 0.0f, k_touch, distances_);
+    fill(reach, 0.5f, 0.0f, depths_);
     columns_.clear();
     for (int k = reach.low.z; k < reach.high.z; ++k)
         for (int i = reach.low.x; i < reach.high.x; ++i) {
@@ -73,25 +75,23 @@ void Solids::measure_ground(const Ground& ground, const View& view, const Reach&
                 return place;
             };
             const glm::vec3 centre = level(0.5f, 0.5f);
+            const float here = heights_[columns_.size()]; // those of the centres, filled last
             Column column;
             const auto meets = [&](float height) {
-                column.low = std::min(column.low, height);
-                column.high = std::max(column.high, height);
+                const float over = (height - here) / view.cell_size;
+                column.low = std::min(column.low, over);
+                column.high = std::max(column.high, over);
+                return over;
             };
-            meets(detail::height_at(ground, centre));
             for (int n = 0; n < 4; ++n) {
                 const auto sign = static_cast<float>(2 * (n & 1) - 1);
                 meets(detail::height_at(ground, n < 2 ? level(0.5f + sign, 0.5f) : level(0.5f, 0.5f + sign)));
                 meets(detail::height_at(ground, level(static_cast<float>(n & 1), static_cast<float>(n >> 1))));
             }
-            column.crest[0] = -detail::least_rise(ground, centre, level(1.5f, 0.5f));
-            column.crest[2] = -detail::least_rise(ground, centre, level(0.5f, 1.5f));
-            meets(column.crest[0]);
-            meets(column.crest[2]);
+            column.crest[0] = meets(-detail::least_rise(ground, centre, level(1.5f, 0.5f)));
+            column.crest[2] = meets(-detail::least_rise(ground, centre, level(0.5f, 1.5f)));
             columns_.push_back(column);
         }
-    fill(reach, 0.5f, 0.0f, depths_);
-    fill(corners, 0.0f, k_touch, distances_);
 }
 
 // Whether the surface of a body may meet a cell's faces or its neighbours; `away` [cells] from its surface.
@@ -101,12 +101,10 @@ bool Solids::may_touch(const View& view, const Reach& reach, glm::ivec3 cell, fl
     if (ground == nullptr)
         return std::abs(away) <= distance;
     // Beside a steep place the height over the ground is many times the distance from it.
-    const glm::vec3 place = view.own_place(glm::vec3(cell) + 0.5f);
-    glm::vec2 heights;
     if (const Column* const column = column_at(reach, cell))
-        heights = {column->low, column->high};
-    else
-        heights = detail::heights_near(*ground, place, 1.8f * view.coarsest * view.cell_size);
+        return away >= column->low - distance && away <= column->high + distance;
+    const glm::vec3 place = view.own_place(glm::vec3(cell) + 0.5f);
+    const glm::vec2 heights = detail::heights_near(*ground, place, 1.8f * view.coarsest * view.cell_size);
     return place.y >= heights.x - distance * view.cell_size && place.y <= heights.y + distance * view.cell_size;
 }
 
@@ -129,11 +127,10 @@ bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 ce
     const float away = depth_at(view, reach, cell);
     if (!flat && depth_at(view, reach, next) <= 0.0f)
         return false;
-    const glm::vec3 here = view.own_place(glm::vec3(cell) + 0.5f);
     if (const Column* const column = column_at(reach, cell)) // no vertical line meets it between air and air
-        return axis != 1 && here.y - column->crest[axis] <= detail::k_touches_ground * view.cell_size;
+        return axis != 1 && away - column->crest[axis] <= detail::k_touches_ground;
     return (ground || away < view.coarsest + k_touch) &&
-           detail::blocks(view.body.shape, here, view.own_place(glm::vec3(next) + 0.5f));
+           detail::blocks(view.body.shape, view.own_place(glm::vec3(cell) + 0.5f), view.own_place(glm::vec3(next) + 0.5f));
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
@@ -155,9 +152,10 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];
         const bool in = !flat && away <= 0.0f;
+        const bool near = may_touch(view, reach, cell, away, 2.0f);
         if (in)
-            draw_inside(view, reach, cell, away);
-        if (!may_touch(view, reach, cell, away, 2.0f))
+            draw_inside(view, reach, cell, away, near && may_touch(view, reach, cell, away, 1.5f));
+        if (!near)
             return;
         const glm::vec3 centre = glm::vec3(cell) + 0.5f;
         for (int axis = 0; axis < 3; ++axis) {
@@ -183,13 +181,12 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
     });
 }
 
-// Adds an inside cell, `away` [cells] from the surface, with its sides toward cells outside.
-void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away) {
+// Adds an inside cell, `away` [cells] from the surface, with its sides toward cells outside, if it may be `beside` some.
+void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside) {
     constexpr float k_apart = 0.1f;   // [cells] of the distances that a normal is found from
     constexpr float k_aligned = 0.1f; // a normal turned farther from the way outside is that of an edge
     const auto first = static_cast<std::uint32_t>(drawn_sides_.size());
     const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-    const bool beside = may_touch(view, reach, cell, away, 1.5f);
     for (std::uint32_t direction = 0; direction < 6 && beside; ++direction) {
         glm::ivec3 step(0);
         step[static_cast<int>(direction / 2)] = direction % 2 == 0 ? -1 : 1;

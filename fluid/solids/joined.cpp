@@ -33,8 +33,12 @@ glm::ivec3 Solids::air_cell_at(glm::dvec3 place, glm::ivec3 first, glm::ivec3 en
 
 // Sweeps there and back until one adds none.
 void Solids::find_joined(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end, std::span<std::uint8_t> joined) const {
-    const glm::ivec3 own = air_cell_at(place, first, end);
     const Reach reach{first, end};
+    bool walls = false;
+    for (int k = first.z; k < end.z; ++k)
+        for (int j = first.y; j < end.y; ++j)
+            walls = walls || any_blocked(index({first.x, j, k}), end.x - first.x);
+    const glm::ivec3 own = walls ? air_cell_at(place, first, end) : glm::ivec3(-1);
     reach.for_each([&](glm::ivec3 cell) { joined[index(cell)] = own.x < 0 || cell == own ? 1 : 0; });
     const auto is_joined = [&](glm::ivec3 cell) {
         for (int axis = 0; axis < 3; ++axis)

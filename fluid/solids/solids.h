@@ -242,10 +242,10 @@ class Solids {
         void for_each(const Visit& visit) const;
     };
     struct View;
-    /// Heights [m] of an upright ground that the faces and neighbours of a column of cells meet, and the highest along the lines from
-    /// its centres to the next along x and z.
+    /// Heights [cells] of an upright ground over that at the centre of a column of cells: all that its faces and neighbours meet, and
+    /// the highest along the lines from its centre to the next along x and z.
     struct Column {
-        float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
+        float low = 0.0f, high = 0.0f;
         float crest[3] = {};
     };
     [[nodiscard]] glm::ivec3 air_cell_at(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end) const;
@@ -261,7 +261,7 @@ class Solids {
     [[nodiscard]] const Column* column_at(const Reach& reach, glm::ivec3 cell) const;
     [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
-    void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away);
+    void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside);
     void measure(const View& view, const Reach& reach, const Reach& corners);
     void measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners);
     void gather_faces();
