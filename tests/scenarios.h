@@ -208,6 +208,15 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         },
                     .steps = 40, // its sources take a software device half a second each
                     .chaotic = true});
+    // A drive is what moves the air fastest: how far reads reach past a body of 3.4 cells counts it.
+    Scenario driven = detail::obstacle_scenario({"block_beside_drives", Block{{2.0f, 2.5f, 1.7f}}}, Way::moves, {-4.0, 0.3, 2.0});
+    driven.begin = [placed = driven.begin](WindControl& wind) {
+        placed(wind);
+        must(wind.motors().add(DirectionalMotor{}));
+        must(wind.motors().add(PressureMotor{}));
+    };
+    driven.steps = 12;
+    rows.push_back(std::move(driven));
     rows.push_back({.name = "sleep",
                     .config =
                         [](Config& c) {

@@ -394,11 +394,11 @@ void Cells::limit_speeds(const CellStep& step, Diagnostics& report) {
         report.repaired_cells = found.nonfinite_cells;
         found = work.state().survey(&air.velocity[0].x);
     }
-    work.state().fastest = found.largest_component + dt * sources.largest_force();
+    const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
+    work.state().fastest = largest + dt * sources.largest_force(); // as the device counts them: reads reach equally far
     if (box().rows && work.state().has_solids())
         work.state().fastest =
             work.state().fastest_by_rows(&air.velocity[0].x) + dt * sources.largest_force() * box().cell_size / box().finest();
-    const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = numerics::windrow_courant(largest, sources.largest_force(), dt, box().cell_size);
     report.substeps = std::max(step.substeps, 1);
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)
