@@ -20,15 +20,15 @@ typedef struct windrow_window_block {
     windrow_vec3 ambient;
     float height;
     windrow_vec3 low_boundaries;
-    float unused_2;
+    float wall_per_length;
     windrow_vec3 high_boundaries;
-    float unused_3;
+    float wall_per_log;
     windrow_vec3 blend_centre;
     float blend_width;
     windrow_vec3 blend_reach;
-    float unused_4;
+    float wall_lowest;
     windrow_vec3 previous_blend_centre;
-    float unused_5;
+    float wall_fall;
 } windrow_window_block;
 
 typedef struct windrow_axis_block {

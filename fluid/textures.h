@@ -30,17 +30,17 @@ struct WindowBlock {
     float rows = 0.0f;                   ///< number of rows where they have heights of their own (FrameBlock::heights); else 0
     alignas(16) glm::vec3 ambient{0.0f}; ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
     float height = 0.0f;                 ///< [m] of the box
-    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
-    float unused_2 = 0.0f;                       ///< 0, as the others of this name: blocks of equal values have equal bytes
+    alignas(16) glm::vec3 low_boundaries{0.0f}; ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
+    float wall_per_length = 0.0f; ///< [1/m] the law of the wall over rough ground, as WallLaw (fluid/view.h); all four 0: none
     alignas(16) glm::vec3 high_boundaries{0.0f}; ///< as low_boundaries
-    float unused_3 = 0.0f;
-    alignas(16) glm::vec3 blend_centre{0.0f}; ///< [m] centre of the blend zone, minus the anchor
-    float blend_width = 0.0f;                 ///< [m] over which the box's wind fades to ambient
+    float wall_per_log = 0.0f;                   ///< see wall_per_length
+    alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] centre of the blend zone, minus the anchor
+    float blend_width = 0.0f;                    ///< [m] over which the box's wind fades to ambient
     alignas(16) glm::vec3 blend_reach{
-        0.0f}; ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
-    float unused_4 = 0.0f;
+        0.0f};                ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
+    float wall_lowest = 0.0f; ///< [m] see wall_per_length
     alignas(16) glm::vec3 previous_blend_centre{0.0f}; ///< [m] the point in the last frame, minus the anchor
-    float unused_5 = 0.0f;
+    float wall_fall = 0.0f;                            ///< see wall_per_length
 };
 static_assert(sizeof(WindowBlock) == 144);
 

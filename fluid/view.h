@@ -4,6 +4,10 @@
 // the ambient wind over a blend zone. The weight depends on the distance from the point itself, which moves smoothly while the
 // box moves by whole cells, so a shift of the box changes no value. Other open boundaries fade over the one cell beyond them.
 // Beyond a wall the wind is that at the wall.
+//
+// Beside a surface the wind is that of the air next to it, along the surface, whatever cells the surface cuts: half a cell above it and
+// two and a half cells below it, so that a plant's foot a little under the ground does not jump. Deeper inside it is the body's own
+// velocity. Over rough ground the wind falls to 0 by the law of the wall; below the ground it is 0.
 #pragma once
 
 #include "ambient.h"
@@ -20,6 +24,30 @@
 
 namespace windrow {
 
+class SurfaceReading;
+
+/// The law of the wall over rough ground, between and below the centres of cells (shaders/numerics/wall_law.glsl). All 0: none.
+struct WallLaw {
+    float per_length = 0.0f; ///< [1/m] one over the roughness length; the longest one where lengths differ by place
+    float per_log = 0.0f;    ///< one over the law's logarithm at its reach; 0: no law acts
+    float reach = 0.0f;      ///< [m] height from which on it changes nothing
+    float lowest = 0.0f;     ///< [m] of the lowest centres over the box's floor; -1e30 without a floor
+    float fall = 0.0f;       ///< 1; 0 where lengths differ by place
+
+    [[nodiscard]] bool acts() const { return per_log > 0.0f; }
+    /// Part of the wind at its reach that the law leaves at a height [m].
+    [[nodiscard]] WINDROW_API float fraction(float height) const;
+};
+
+/// Cells as they are sampled near surfaces (fluid/solids/reading.h), where they are not the field's own.
+struct ShownCells {
+    std::span<const glm::vec4> cells{}; ///< empty: the field; with a law w is the height over the surface
+    WallLaw law{};
+    const SurfaceReading* reading = nullptr; ///< null: none
+    glm::ivec3 low{0};                       ///< of the field in the reading's box
+    int rows_low = 0;                        ///< the same of its rows over the floor
+};
+
 /// Blend zone of a box, over which its wind fades to the ambient wind.
 struct BlendZone {
     glm::dvec3 point{0.0}; ///< [m] world; what the box follows
@@ -32,8 +60,8 @@ class WINDROW_API WindView {
   public:
     /// `simd`: of the queries, a level that this machine runs.
     WindView(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
-             std::span<const glm::vec4> field, Simd simd = Simd::best)
-        : box_(&box), window_(window), blend_zone_(blend_zone), ambient_(&ambient), field_(field), simd_(simd) {}
+             std::span<const glm::vec4> field, Simd simd = Simd::best, const ShownCells& shown = {})
+        : box_(&box), window_(window), blend_zone_(blend_zone), ambient_(&ambient), field_(field), shown_(shown), simd_(simd) {}
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
@@ -48,13 +76,14 @@ class WINDROW_API WindView {
     /// The same for many points, as `velocity` takes them.
     void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const;
     void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const;
-    /// [m/s] The cells themselves, laid out as box.h says; w = 0.
+    /// [m/s] The air's own cells, laid out as box.h says; w = 0. What is sampled is filled beside surfaces.
     [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
-    /// One texture of four components, as float or half: x, y, z of the velocity and 0. The span holds four numbers for each of
+    /// One texture of four components, as float or half: x, y, z of the velocity and 0, as it is sampled. Over rough ground x, y, z are
+    /// the wind over the fraction that the law of the wall leaves and w [m] is the height, as windrow_wind.glsl reads them. The span holds four numbers for each of
     /// box().cell_count() texels, or the call is rejected. As windrow_wind.glsl samples it by default.
     Result<void> write_vectors(std::span<float> texels) const;
     Result<void> write_vectors(std::span<std::uint16_t> texels) const;
-    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected. For
+    /// Three textures, one an axis, as float or half, without the law of the wall; each span holds box().cell_count() texels or the call is rejected. For
     /// WINDROW_THREE_TEXTURES, which takes 6 bytes a cell in half in place of 8.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const;
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const;
@@ -73,7 +102,12 @@ class WINDROW_API WindView {
     Window window_;
     BlendZone blend_zone_;
     const AmbientWind* ambient_;
+    [[nodiscard]] std::span<const glm::vec4> shown() const { return shown_.cells.empty() ? field_ : shown_.cells; }
+    template <class Texel>
+    Result<void> write_texels(std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) const;
+
     std::span<const glm::vec4> field_;
+    ShownCells shown_;
     Simd simd_;
 };
 

@@ -21,6 +21,7 @@ using namespace glm;
 #include "shaders/numerics/splitting.glsl"
 #include "shaders/numerics/substeps.glsl"
 #include "shaders/numerics/transport.glsl"
+#include "shaders/numerics/wall_law.glsl"
 #include "shaders/numerics/window.glsl"
 } // namespace windrow::numerics
 #undef WINDROW_FN

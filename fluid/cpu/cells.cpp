@@ -40,7 +40,7 @@ void for_each_cell(glm::ivec3 cells, const Visit& visit) {
 
 Cells::Cells(const WindCore& wind, Workspace workspace)
     : work(std::move(workspace)), air(box().cell_count()), sources(box().cells), wind_(wind), config_(wind.config),
-      around_(wind.ambient) {
+      around_(wind.ambient), reading_maker_(box(), wind.config) {
     make_room_around(config_.gusts);
     if (wind_.rough()) {
         layer_.emplace(box(), *config_.roughness);
@@ -207,12 +207,14 @@ Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
     materialise_before();
     auto changed = work.set_boundaries(boundaries);
     air.fresh = air.fresh || (changed && kinds);
-    around_stale_ = true;
+    around_stale_ = reading_stale_ = true;
+    sampled_.held = false;
     return changed;
 }
 
 void Cells::apply(const CellChange& change) {
     renew_around(change.ambient, change.window, config_.parallel_for);
+    sampled_.held = false;
     switch (change.kind) {
     case CellChange::Kind::fill:
         return fill_air();
@@ -303,6 +305,7 @@ void Cells::set_surface_history(SurfaceHistory&& history) {
     work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
     unplaced_shift_ = history.shift;
+    reading_stale_ = true;
     loads.restore(std::move(history.loads), history.duration);
 }
 
@@ -338,7 +341,7 @@ void Cells::shift(const CellChange& change) {
         work.state().solid_keys.clear();
         work.state().solid_terms.clear();
         unplaced_shift_ = glm::ivec3(0);
-        place_again_ = true;
+        place_again_ = reading_stale_ = true;
     } else {
         unplaced_shift_ += glm::ivec3(change.by);
     }
@@ -376,6 +379,7 @@ void Cells::materialise_air_alone(const ParallelFor& parallel_for) {
     if (held_at_ == wind_.sleep.drift)
         return;
     renew_around(wind_.ambient, wind_.window(), parallel_for);
+    sampled_.held = false;
     fill(air.velocity);
     held_at_ = wind_.sleep.drift;
 }
@@ -395,6 +399,7 @@ void Cells::materialise_frame(FrameCells::Field& field, const ShownFrame& frame)
     if (held)
         return;
     materialise_gusts(field.cells, frame.ambient, frame.window);
+    field.sampled.held = false;
     held = true;
 }
 
@@ -420,58 +425,12 @@ void Cells::materialise_all() {
     materialise_frame(frames.shown_before, wind_.frames->shown_before);
 }
 
-// --- Frames ------------------------------------------------------------------------------------------------------------------
-
-void Cells::show_air() {
-    if (frames.before.empty())
-        return;
-    materialise_air();
-    for (FrameCells::Field* field : {&frames.shown, &frames.shown_before}) {
-        field->held = true;
-        std::copy_n(air.velocity.data(), field->cells.size(), field->cells.data());
-    }
-}
-
-void Cells::show(const FrameBlend& blend) {
-    std::swap(frames.shown, frames.shown_before);
-    if (blend.unchanged)
-        return;
-    FrameCells::Field& shown = frames.shown;
-    shown.held = !blend.still || !wind_.ambient.gusting();
-    if (!shown.held)
-        return;
-    materialise_air();
-    if (blend.still) {
-        std::copy_n(air.velocity.data(), air.velocity.size(), shown.cells.data());
-        return;
-    }
-    materialise_before();
-    const std::size_t row_plane = static_cast<std::size_t>(box().cells.x) * static_cast<std::size_t>(box().cells.y);
-    config_.parallel_for(box().cells.z, [&](int plane) {
-        const std::size_t first = row_plane * static_cast<std::size_t>(plane);
-        for (std::size_t n = first; n < first + row_plane; ++n)
-            shown.cells[n] = frames.before[n] + blend.factor * (air.velocity[n] - frames.before[n]);
-    });
-}
-
-// --- Reading -----------------------------------------------------------------------------------------------------------------
-
-WindView Cells::air_view() {
-    materialise_air();
-    return {box(), wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity, wind_.config.simd};
-}
-
-WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
-    materialise_frame(field, frame);
-    return {box(), frame.window, wind_.blend_zone(frame.blend_centre), frame.ambient, field.cells, wind_.config.simd};
-}
-
 std::size_t Cells::memory_bytes() const {
     return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + diffused_.bytes() + sources.memory_bytes() +
            mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
            (profile_bends_.size() + open_parts_.capacity()) * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() +
            solved.bytes() + (layer_ ? layer_->memory_bytes() : 0) + loads.memory_bytes() +
-           sheltered_air_.capacity() * sizeof(glm::vec4);
+           sheltered_air_.capacity() * sizeof(glm::vec4) + sampled_.cells.bytes() + reading_maker_.memory_bytes();
 }
 
 } // namespace windrow::cpu

@@ -1,6 +1,7 @@
 // Cells of a wind on the CPU.
 //
-// cells.cpp: the operations of the wind's core: set to ambient, move with the box, blend for a frame. step.cpp: a step.
+// cells.cpp: the operations of the wind's core: set to ambient, move with the box. cells_shown.cpp: what frames and views show.
+// step.cpp: a step.
 #pragma once
 
 #include "fluid/api.h"
@@ -11,6 +12,7 @@
 #include "fluid/cpu/sources.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
+#include "fluid/solids/reading.h"
 #include "fluid/solids/surface_layer.h"
 
 #include <atomic>
@@ -37,16 +39,30 @@ struct TwoLevelAir {
     [[nodiscard]] std::size_t memory_bytes() const { return velocity.bytes() + velocity_old.bytes() + history.bytes(); }
 };
 
+/// Cells of a view as they are sampled beside surfaces.
+struct SampledCells {
+    Buffer<glm::vec4> cells{};                       ///< empty: none was needed yet
+    std::shared_ptr<const SurfaceReading> reading{}; ///< null: as the air's own
+    SurfaceReading::Part part{};                     ///< the air's, of the reading's box
+    bool held = false;                               ///< false until they are written
+
+    [[nodiscard]] ShownCells shown() const;
+};
+
 /// Cells of FrameHistory's frames; empty without.
 struct FrameCells {
     struct Field {
-        Buffer<glm::vec4> cells; ///< [m/s]
-        bool held = true;        ///< false while they are the frame's ambient wind, and not written yet
+        Buffer<glm::vec4> cells{}; ///< [m/s]
+        bool held = true;          ///< false while they are the frame's ambient wind, and not written yet
+        SampledCells sampled{};
     };
     Buffer<glm::vec4> before; ///< [m/s] air at the tick before the last one, in the current window
     Field shown, shown_before;
 
-    [[nodiscard]] std::size_t memory_bytes() const { return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes(); }
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes() + shown.sampled.cells.bytes() +
+               shown_before.sampled.cells.bytes();
+    }
 };
 
 class Cells final : public CellStorage {
@@ -63,6 +79,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] MeasuredSpeed measured() const override { return measured_; }
     [[nodiscard]] std::span<glm::vec4> in_place() override {
         materialise_air(); // the gusts of now
+        sampled_.held = false;
         return air.velocity;
     }
 
@@ -125,6 +142,12 @@ class Cells final : public CellStorage {
     void materialise_before();
     void materialise_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window);
     [[nodiscard]] bool has_source_flow() const;
+
+    // --- cells_shown.cpp -----------------------------------------------------------------------------------------------------
+    void renew_reading();
+    /// Writes the sampled cells of `from`, the air in a window.
+    void sample_once(std::span<const glm::vec4> from, const Window& window, SampledCells& sampled);
+    void sample(std::span<const glm::vec4> from, const Window& window, SampledCells& sampled, const ParallelFor& parallel_for);
 
     // --- step.cpp ----------------------------------------------------------------------------------------------------------
     class Solving;
@@ -197,8 +220,13 @@ class Cells final : public CellStorage {
     Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion and mixing; empty while neither acts
     std::optional<SurfaceLayer> layer_;    ///< over rough ground
     bool placed_anew_ = false;             ///< obstacles, since the layer was renewed
-    std::vector<float> open_parts_;        ///< scratch of open_parts
-    FreeAir free_air_;                     ///< potential of the volume sources; empty until the first
+    ReadingMaker reading_maker_;
+    std::shared_ptr<const SurfaceReading> reading_; ///< null: none, or stale
+    CellIndex reading_origin_{0};                   ///< of the window that it was made for
+    bool reading_stale_ = true;
+    SampledCells sampled_;          ///< of the air; not with frames
+    std::vector<float> open_parts_; ///< scratch of open_parts
+    FreeAir free_air_;              ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;
     std::uint64_t before_held_at_ = 0;

@@ -32,7 +32,7 @@ bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& rep
     if (placed && work.state().has_solids())
         still_new_rooms();
     unplaced_shift_ = glm::ivec3(0);
-    placed_anew_ = true;
+    placed_anew_ = reading_stale_ = true;
     place_again_ = !placed;
     if (!placed) { // the air does without them in this step
         work.state().solids.reset();

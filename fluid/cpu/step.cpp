@@ -74,6 +74,7 @@ float relaxation(const Config& config, float dt) {
 bool Cells::step(const CellStep& step, Diagnostics& report) {
     const auto dt = static_cast<float>(step.duration);
     work.state().obstacles_ms = 0.0;
+    sampled_.held = false;
     canopy_ = step.canopy;
     materialise_air_alone(config_.parallel_for);
     materialise_before();

@@ -1,10 +1,13 @@
 #include "fluid/view.h"
 
 #include "fluid/core/message.h"
+#include "fluid/core/numerics.h"
 #include "fluid/core/view_place.h"
 #include "fluid/cpu/point_tasks.h"
+#include "fluid/solids/reading.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace windrow {
 namespace {
@@ -14,29 +17,22 @@ float side_number(const Boundary& side) {
 }
 
 template <class Number>
-Result<void> write_numbers(std::span<const glm::vec4> field, std::span<Number> texels) {
-    if (texels.size() != 4 * field.size())
-        return Error{detail::message("write_vectors got room for ", texels.size(), " numbers, but the box has ", field.size(),
+Result<void> write_numbers(std::span<const glm::vec4> cells, bool heights, std::span<Number> texels) {
+    if (texels.size() != 4 * cells.size())
+        return Error{detail::message("write_vectors got room for ", texels.size(), " numbers, but the box has ", cells.size(),
                                      " cells: give one array of 4 * box().cell_count().")};
-    pack_vectors(field, texels);
-    return {};
-}
-
-template <class Texel>
-Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) {
-    for (const auto& texels : {x, y, z})
-        if (texels.size() != field.size())
-            return Error{detail::message("write_axes got room for ", texels.size(), " texels, but the box has ", field.size(),
-                                         " cells: give three arrays of box().cell_count().")};
-    extract_axis(field, 0, x);
-    extract_axis(field, 1, y);
-    extract_axis(field, 2, z);
+    pack_vectors(cells, texels);
+    for (std::size_t n = 0; heights && n < cells.size(); ++n)
+        if constexpr (std::is_same_v<Number, float>)
+            texels[4 * n + 3] = cells[n].w;
+        else
+            texels[4 * n + 3] = to_half(cells[n].w);
     return {};
 }
 
 // What is off stays unset: a single point pays for each line.
 cpu::PointTask point_task(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
-                          std::span<const glm::vec4> field) {
+                          std::span<const glm::vec4> field, const WallLaw& law = {}) {
     cpu::PointTask task;
     const Boundaries& b = box.boundaries;
     const Boundary* const sides[3][2] = {{&b.x_low, &b.x_high}, {&b.y_low, &b.y_high}, {&b.z_low, &b.z_high}};
@@ -56,11 +52,16 @@ cpu::PointTask point_task(const Box& box, const Window& window, const BlendZone&
         if (sides[axis][0]->kind == BoundaryKind::periodic)
             to.period = cpu::period_of(box.cells[axis]);
     }
+    task.wall_per_length = law.per_length;
+    task.wall_per_log = law.per_log;
+    task.wall_lowest = law.lowest;
+    task.wall_fall = law.fall;
     task.rows = 0;
+    if (box.rows || law.acts())
+        task.bottom = window.origin().y;
     if (box.rows) {
         task.row_heights = box.rows->heights().data();
         task.rows = box.rows->count();
-        task.bottom = window.origin().y;
         task.top = box.rows->top();
     }
     cpu::set_ambient(task.ambient, ambient);
@@ -125,10 +126,12 @@ glm::vec3 WindView::velocity(glm::dvec3 position) const {
     return wind;
 }
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), nullptr, positions,
+           velocities);
 }
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec4> velocities) const {
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), nullptr, positions,
+           velocities);
 }
 
 glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
@@ -138,24 +141,52 @@ glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
 }
 void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
     const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), &felt, positions,
+           velocities);
 }
 void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
     const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), &felt, positions,
+           velocities);
 }
 
 Result<void> WindView::write_vectors(std::span<float> texels) const {
-    return write_numbers(field_, texels);
+    return write_numbers(shown(), shown_.law.acts(), texels);
 }
 Result<void> WindView::write_vectors(std::span<std::uint16_t> texels) const {
-    return write_numbers(field_, texels);
+    return write_numbers(shown(), shown_.law.acts(), texels);
+}
+
+template <class Texel>
+Result<void> WindView::write_texels(std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) const {
+    for (const auto& texels : {x, y, z})
+        if (texels.size() != field_.size())
+            return Error{detail::message("write_axes got room for ", texels.size(), " texels, but the box has ", field_.size(),
+                                         " cells: give three arrays of box().cell_count().")};
+    const std::span<const glm::vec4> cells = shown_.law.acts() ? field_ : shown(); // no texture holds the height
+    extract_axis(cells, 0, x);
+    extract_axis(cells, 1, y);
+    extract_axis(cells, 2, z);
+    if (!shown_.law.acts() || shown_.reading == nullptr)
+        return {};
+    shown_.reading->for_each_filled(field_, {box_->cells, shown_.low, shown_.rows_low}, [&](std::uint32_t cell, glm::vec3 u) {
+        const glm::vec4 filled(u, 0.0f);
+        const std::span one(&filled, 1);
+        extract_axis(one, 0, x.subspan(cell, 1));
+        extract_axis(one, 1, y.subspan(cell, 1));
+        extract_axis(one, 2, z.subspan(cell, 1));
+    });
+    return {};
 }
 Result<void> WindView::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
-    return write_texels(field_, x, y, z);
+    return write_texels(x, y, z);
 }
 Result<void> WindView::write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
-    return write_texels(field_, x, y, z);
+    return write_texels(x, y, z);
+}
+
+float WallLaw::fraction(float height) const {
+    return numerics::windrow_wall_share(height, per_length, per_log);
 }
 
 WindowBlock WindView::block(glm::dvec3 anchor) const {
@@ -174,6 +205,10 @@ WindowBlock WindView::block(glm::dvec3 anchor) const {
         block.low_boundaries[axis] = side_number(box_->boundaries.at(axis, 0));
         block.high_boundaries[axis] = side_number(box_->boundaries.at(axis, 1));
     }
+    block.wall_per_length = shown_.law.per_length;
+    block.wall_per_log = shown_.law.per_log;
+    block.wall_lowest = shown_.law.lowest;
+    block.wall_fall = shown_.law.fall;
     block.blend_centre = glm::vec3(blend_zone_.point - anchor);
     block.blend_width = blend_zone_.width * h;
     block.blend_reach = blend_zone_.reach * h;

@@ -147,6 +147,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
         measure_ground(*ground, view, reach, corners);
     else
         measure(view, reach, corners);
+    draw_near(view, reach);
     const bool tight = !flat && detail::thickness(body.shape) < k_thin_wall * view.coarsest * view.cell_size;
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
@@ -178,6 +179,24 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
             const float wall = body.moves() ? closed * view.velocity(view.from_middle(centre + 0.5f * step))[axis] : 0.0f;
             drawn_faces_.push_back({cell, axis, closed, wall});
         }
+    });
+}
+
+// Adds the cells that a reader finds other air in than they hold (reading.h), and those that it may take it from.
+void Solids::draw_near(const View& view, const Reach& reach) {
+    const float filled = 0.5f * view.coarsest;
+    const glm::ivec3 size = reach.high - reach.low;
+    const std::size_t strides[3] = {1, static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.x) * size.y};
+    std::size_t n = 0;
+    reach.for_each([&](glm::ivec3 cell) {
+        const float away = depths_[n];
+        bool near = away < filled;
+        for (int axis = 0; axis < 3 && !near; ++axis)
+            near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
+                   (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
+        if (near && away > -k_under * view.coarsest)
+            drawn_near_.push_back({cell, away});
+        ++n;
     });
 }
 

@@ -306,7 +306,7 @@ void Solids::collect_thin() {
 void Solids::make_room_for_motion() {
     const auto spare = [](auto&... lists) { (detail::make_room(lists, lists.size() + lists.size() / 4), ...); };
     spare(faces_, unsorted_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_,
-          room_ends_, sheltered_, thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, distances_, depths_);
+          room_ends_, sheltered_, thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
@@ -316,10 +316,10 @@ std::size_t Solids::memory_bytes() const {
                       bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
                       bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
                       bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
-                      bytes(drawn_sides_) + bytes(thicknesses_) + bytes(heights_) + bytes(columns_);
+                      bytes(drawn_sides_) + bytes(drawn_near_) + bytes(thicknesses_) + bytes(heights_) + bytes(columns_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
-            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides);
+            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near);
     return sum;
 }
 

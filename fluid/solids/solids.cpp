@@ -85,6 +85,8 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
             face.cell -= shift;
         for (Drawing::Inside& inside : drawing.inside)
             inside.cell -= shift;
+        for (Drawing::Near& near : drawing.near)
+            near.cell -= shift;
     }
     // Both lists have about the same order, so that what is looked for is mostly the next.
     drawn_ = 0;
@@ -182,6 +184,7 @@ void Solids::draw(Drawing& drawing) {
     drawn_faces_.clear();
     drawn_inside_.clear();
     drawn_sides_.clear();
+    drawn_near_.clear();
     const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
     const glm::ivec3 beyond = k_beyond * (1 - images);
     const glm::vec3 size = glm::vec3(box_.cells) * box_.cell_size;
@@ -206,9 +209,11 @@ void Solids::draw(Drawing& drawing) {
     detail::make_room(drawing.faces, drawn_faces_.size());
     detail::make_room(drawing.inside, drawn_inside_.size());
     detail::make_room(drawing.sides, drawn_sides_.size());
+    detail::make_room(drawing.near, drawn_near_.size());
     drawing.faces.assign(drawn_faces_.begin(), drawn_faces_.end());
     drawing.inside.assign(drawn_inside_.begin(), drawn_inside_.end());
     drawing.sides.assign(drawn_sides_.begin(), drawn_sides_.end());
+    drawing.near.assign(drawn_near_.begin(), drawn_near_.end());
 }
 
 float Solids::height_over(std::size_t number, glm::ivec3 cell) const {

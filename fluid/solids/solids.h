@@ -113,6 +113,11 @@ class Solids {
     [[nodiscard]] std::span<const GhostSource> ghost_sources() const { return ghost_sources_; }
     [[nodiscard]] std::span<const std::uint32_t> layer_ends() const { return layer_ends_; }
     [[nodiscard]] std::span<const PlacedObstacle> bodies() const { return bodies_; }
+    /// visit(cell, place, away, body) for each cell beside or under the surface of a body, `away` [cells] from it as height_over is:
+    /// those nearer than half a cell, down to k_under below it, and their neighbours.
+    template <class Visit>
+    void for_each_near(const Visit& visit) const;
+    static constexpr float k_under = 3.5f; ///< [cells]
 
     /// Cells of air in closed rooms: room n ends before room_ends()[n], with its cells in order.
     [[nodiscard]] std::span<const std::uint32_t> rooms() const { return rooms_; }
@@ -218,11 +223,16 @@ class Solids {
             glm::ivec3 cell;
             std::uint32_t first_side, sides; ///< of the drawing's
         };
+        struct Near {
+            glm::ivec3 cell;
+            float away; ///< [cells]
+        };
         PlacedObstacle body;
         glm::ivec3 low{0}, high{0}; ///< cells drawn: all that the body reaches within the box and some beyond
         detail::HostVector<Face> faces;
         detail::HostVector<Inside> inside;
         detail::HostVector<Side> sides;
+        detail::HostVector<Near> near;
     };
 
     struct Reach {
@@ -262,6 +272,7 @@ class Solids {
     [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
     void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside);
+    void draw_near(const View& view, const Reach& reach);
     void measure(const View& view, const Reach& reach, const Reach& corners);
     void measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners);
     void gather_faces();
@@ -313,6 +324,7 @@ class Solids {
     detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw
     detail::HostVector<Drawing::Inside> drawn_inside_; ///< scratch of draw
     detail::HostVector<Drawing::Side> drawn_sides_;    ///< scratch of draw
+    detail::HostVector<Drawing::Near> drawn_near_;     ///< scratch of draw
     detail::HostVector<std::uint8_t> flags_;           ///< one a cell
     detail::HostVector<std::uint16_t> body_of_;        ///< one a cell: body that an inside cell is in
     detail::HostVector<std::uint32_t> drawn_of_;       ///< one a cell: number of an inside cell in that body's drawing
@@ -324,6 +336,14 @@ class Solids {
     detail::HostVector<float> heights_;  ///< scratch: of a ground's columns
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
 };
+
+template <class Visit>
+void Solids::for_each_near(const Visit& visit) const {
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
+        for (const Drawing::Near& near : drawings_[body].near)
+            if (glm::all(glm::greaterThanEqual(near.cell, glm::ivec3(0))) && glm::all(glm::lessThan(near.cell, box_.cells)))
+                visit(static_cast<std::uint32_t>(box_.index(near.cell.x, near.cell.y, near.cell.z)), near.cell, near.away, body);
+}
 
 template <class Visit>
 void Solids::for_each_neighbour(const InsideCell& cell, const Visit& visit) const {

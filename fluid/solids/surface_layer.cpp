@@ -12,7 +12,6 @@ namespace {
 constexpr float k_karman = 0.4f;
 // Least height [cells] of a cell's centre over a surface that cuts it: nearer, the air is at rest anyway.
 constexpr float k_lowest = 0.01f;
-constexpr float k_smoothest = 1e-6f; // [m] as Roughness::length
 
 float drag(float height, float roughness) {
     const float stress = k_karman / numerics::log1p(height / roughness);
@@ -20,6 +19,14 @@ float drag(float height, float roughness) {
 }
 
 } // namespace
+
+float roughness_at(const Roughness& roughness, glm::dvec3 place) {
+    if (!roughness.map)
+        return roughness.length;
+    const RoughnessMap& map = *roughness.map;
+    const glm::vec2 on_map(place.x - map.position.x, place.z - map.position.z);
+    return std::max(map.scale.y * map.lengths->height(on_map / glm::vec2(map.scale.x, map.scale.z)), k_smoothest);
+}
 
 SurfaceLayer::SurfaceLayer(const Box& box, const Roughness& roughness)
     : box_(box), roughness_(roughness), faces_(static_cast<std::size_t>(box.cells.x) * static_cast<std::size_t>(box.cells.y + 1) *
@@ -47,15 +54,6 @@ float SurfaceLayer::height_of(int row, int first, float height) const {
     if (box_.rows)
         return height + static_cast<float>(box_.rows->height(row) - box_.rows->height(first));
     return height + static_cast<float>(row - first) * box_.cell_size;
-}
-
-float SurfaceLayer::length_at(const Window& window, int i, int k) const {
-    if (!roughness_.map)
-        return roughness_.length;
-    const RoughnessMap& map = *roughness_.map;
-    const glm::dvec3 place = window.centre(i, 0, k) - map.position;
-    return std::max(map.scale.y * map.lengths->height(glm::vec2(place.x, place.z) / glm::vec2(map.scale.x, map.scale.z)),
-                    k_smoothest);
 }
 
 void SurfaceLayer::renew(const AmbientWind& around, const Window& window, const Boundaries& boundaries, const Solids* solids,
@@ -126,7 +124,7 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
         }
         if (is_free)
             free = i;
-        const float length = length_at(window, i, plane);
+        const float length = roughness_at(roughness_, window.centre(i, 0, plane));
         int first = 0; // row over the last surface, and its height
         float first_height = floor ? box_.centre(0, 0, 0).y : wind_height_;
         bool air_below = false;

@@ -29,6 +29,10 @@
 
 namespace windrow {
 
+inline constexpr float k_smoothest = 1e-6f; ///< [m] as Roughness::length
+/// [m] Roughness length at a place in the world.
+[[nodiscard]] WINDROW_INTERNAL float roughness_at(const Roughness& roughness, glm::dvec3 place);
+
 class WINDROW_INTERNAL SurfaceLayer {
   public:
     SurfaceLayer(const Box& box, const Roughness& roughness);
@@ -65,7 +69,6 @@ class WINDROW_INTERNAL SurfaceLayer {
     [[nodiscard]] float distance_above(int row) const;
     [[nodiscard]] float mixing(int row, float height, float roughness) const;
     [[nodiscard]] float height_of(int row, int first, float height) const;
-    [[nodiscard]] float length_at(const Window& window, int i, int k) const;
 
     Box box_;
     Roughness roughness_;

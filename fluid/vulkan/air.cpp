@@ -137,7 +137,8 @@ Result<Passes> Air::passes_for(bool obstacles) {
                                   .read_halves = settings_.reads.kind == ReadBack::halves,
                                   .obstacles = obstacles,
                                   .rough = rough(),
-                                  .rows = rows_table_ != nullptr});
+                                  .rows = rows_table_ != nullptr,
+                                  .samples = obstacles || reading_maker_.law().acts()});
     if (passes)
         passes->set_tables(*tables_);
     return passes;
@@ -285,6 +286,7 @@ void Air::place(VkCommandBuffer commands, const WindrowPlacePush& push) {
 
 void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     using Kind = CellChange::Kind;
+    window_ = change.window;
     if (change.kind == Kind::keep || change.kind == Kind::begin_frames || change.kind == Kind::end_frames) {
         keeps_ = change.kind != Kind::end_frames;
         return;
@@ -368,6 +370,7 @@ void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
 void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& recorded) {
     const Label tick(*device_, commands, "windrow tick");
     step_duration_ = step.duration;
+    window_ = *step.window;
     const int wanted = recorded.substeps > 0 ? std::min(recorded.substeps, config_.max_substeps) : config_.max_substeps;
     const int substeps = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? wanted : 1;
     const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;
@@ -454,44 +457,6 @@ void Air::substep(VkCommandBuffer commands, std::span<const Passes::Stage> stage
             ++*command;
         barrier(k_compute, k_compute);
     }
-}
-
-void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
-    place_exposed(commands);
-    std::array<VkImageMemoryBarrier, 4> all{};
-    std::size_t count = 0;
-    fields_.each_image(frame, [&](const Image3D& image) {
-        all[count++] = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                        .pNext = nullptr,
-                        .srcAccessMask = 0,
-                        .dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
-                        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED, // written whole
-                        .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                        .image = image.handle(),
-                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
-    });
-    const std::span images(all.data(), count);
-    // Readers of two frames ago finish first.
-    barrier(device_->reader_stages() | k_compute | k_transfer, k_compute);
-    wait(commands, images);
-    shown_factor_ = keeps_ ? 1.0f : factor;
-    dispatch(commands, Pass::show, WindrowShowPush{.factor = shown_factor_, .reports = reports ? 1 : 0}, frame);
-    for (VkImageMemoryBarrier& image : images) {
-        image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-        image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-        image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
-        image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    }
-    // The gust tile is made visible with the images: the host's shaders read it too.
-    const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
-                               .pNext = nullptr,
-                               .srcAccessMask = writes_of(k_compute | k_transfer),
-                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
-    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages(), 0, 1, &tile, 0, nullptr,
-                                              static_cast<std::uint32_t>(images.size()), images.data());
-    ++barriers_;
 }
 
 } // namespace windrow::vulkan

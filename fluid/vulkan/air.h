@@ -20,6 +20,7 @@
 #include "fluid/core/cell_storage.h"
 #include "fluid/core/snapshot.h"
 #include "fluid/solids/loads.h"
+#include "fluid/solids/reading.h"
 #include "fluid/solids/surface_layer.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
@@ -135,6 +136,9 @@ class Air {
     /// Bodies of the last tick that was recorded, in the order of the device, and its duration.
     [[nodiscard]] std::span<const detail::PlacedObstacle> bodies() const;
     [[nodiscard]] double step_duration() const { return step_duration_; }
+    /// How the last `show` showed cells; null: as they are. The part of its box that they are.
+    [[nodiscard]] const std::shared_ptr<const SurfaceReading>& reading() const { return reading_; }
+    [[nodiscard]] SurfaceReading::Part sampled_part() const;
 
     [[nodiscard]] Device& device() { return *device_; }
     [[nodiscard]] const Fields& fields() const { return fields_; }
@@ -178,7 +182,8 @@ class Air {
 
   private:
     Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)
-        : device_(std::move(device)), config_(config), settings_(settings), rows_table_(windrow::detail::box_of(config).rows) {}
+        : device_(std::move(device)), config_(config), settings_(settings), rows_table_(windrow::detail::box_of(config).rows),
+          reading_maker_(box(), config_) {}
     [[nodiscard]] Result<Memory::Measured> measure();
     [[nodiscard]] Result<void> make_memory();
     [[nodiscard]] Result<void> make();
@@ -222,6 +227,7 @@ class Air {
     [[nodiscard]] bool write_obstacles(VkCommandBuffer commands);
     [[nodiscard]] Result<void> make_room_for_obstacles(VkCommandBuffer commands);
     [[nodiscard]] Result<void> replace(Buffer& buffer, VkDeviceSize bytes);
+    [[nodiscard]] Result<void> bind_anew(bool for_obstacles);
     void work_on_rooms(VkCommandBuffer commands, int work);
     [[nodiscard]] Passes::Around around_obstacles(bool has_past) const;
     [[nodiscard]] Passes::Around around_sources() const;
@@ -230,6 +236,10 @@ class Air {
     void renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed);
     /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
+    // What is shown (air_shown.cpp)
+    void renew_reading(VkCommandBuffer commands);
+    void renew_reading(VkCommandBuffer commands, const Solids* solids, const Window& window);
+    [[nodiscard]] Result<void> write_reading(VkCommandBuffer commands);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
     /// Writes the cells that the last shift exposed, where nothing did yet.
@@ -291,6 +301,12 @@ class Air {
         int slot;
     };
     std::vector<RetiredPasses> retired_passes_;
+    ReadingMaker reading_maker_;
+    std::shared_ptr<const SurfaceReading> reading_; ///< of the last show; null: every cell is shown as it is
+    std::vector<std::int32_t> reading_words_;       ///< scratch
+    CellIndex reading_origin_{0};                   ///< of the window that it was made for
+    bool reading_stale_ = true;
+    Window window_{};                 ///< of the last command
     std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries
     glm::ivec3 torus_{0};             ///< WindrowStep::torus
     std::optional<CellChange> shift_; ///< the last one, whose exposed cells the next tick's first pass writes

@@ -33,6 +33,7 @@ void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::Plac
         written = write_obstacles(commands);
     });
     unplaced_shift_ = glm::ivec3(0);
+    reading_stale_ = true;
     place_again_ = !(placed && written);
     if (place_again_) // the air does without them in this step
         solids_.reset();
@@ -143,22 +144,29 @@ Result<void> Air::make_room_for_obstacles(VkCommandBuffer commands) {
     }
     if (!grown)
         return {};
-    RetiredPasses old{.passes = {}, .sets = {}, .slot = slot_}; // recordings in flight use them
-    if (passes_know_obstacles_) {
-        auto sets = passes_.rebind(*device_, fields_);
-        if (!sets)
-            return Error{sets.error()};
-        old.sets = *std::move(sets);
-    } else {
+    if (auto bound = bind_anew(!passes_know_obstacles_); !bound)
+        return bound;
+    barrier(k_transfer, k_transfer);
+    return {};
+}
+
+// The passes with the buffers of now; recordings in flight use the old ones. `for_obstacles`: they are made anew, to know them.
+Result<void> Air::bind_anew(bool for_obstacles) {
+    RetiredPasses old{.passes = {}, .sets = {}, .slot = slot_};
+    if (for_obstacles) {
         auto passes = passes_for(true);
         if (!passes)
             return Error{passes.error()};
         old.passes = std::exchange(passes_, *std::move(passes));
         passes_know_obstacles_ = true;
         shapes_.reset();
+    } else {
+        auto sets = passes_.rebind(*device_, fields_);
+        if (!sets)
+            return Error{sets.error()};
+        old.sets = *std::move(sets);
     }
     retired_passes_.push_back(std::move(old));
-    barrier(k_transfer, k_transfer);
     return {};
 }
 

@@ -37,8 +37,16 @@ void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
             barrier(k_compute, k_compute | k_transfer);
             write(commands, fields_.points, std::as_bytes(request.points));
             barrier(k_transfer, k_compute);
+            const WallLaw law = reading_ ? reading_->law() : WallLaw{};
             dispatch(commands, Pass::read_points,
-                     WindrowPointsPush{.factor = shown_factor_, .points = static_cast<int>(request.points.size())}, request.slot);
+                     WindrowPointsPush{.shift = sampled_part().low,
+                                       .points = static_cast<int>(request.points.size()),
+                                       .factor = shown_factor_,
+                                       .wall_per_length = law.per_length,
+                                       .wall_per_log = law.per_log,
+                                       .wall_lowest = law.lowest,
+                                       .wall_fall = law.fall},
+                     request.slot);
         }
     } else if (kind != ReadBack::none) {
         barrier(k_compute, k_compute); // they write one buffer

@@ -1,4 +1,5 @@
 // The air's state to the host's memory and back: all that is kept from one tick to the next.
+#include "fluid/core/message.h"
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/saved_air.h"
 
@@ -145,11 +146,25 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
         barrier(k_transfer, k_compute | k_transfer);
         return true;
     };
+    window_ = window;
+    if (!air.standing.empty()) { // the next step places them
+        std::unique_ptr<Solids> standing;
+        (void)windrow::detail::memory_lasts([&] {
+            standing = std::make_unique<Solids>(box(), config_.cells.x);
+            standing->place(air.standing);
+        });
+        renew_reading(commands, standing.get(), window);
+    }
     // Both sets of textures, from the field that then takes the air.
+    const auto show_as = [&](int set, const Window& place) {
+        window_ = place;
+        show(commands, 1.0f, set, false);
+        window_ = window;
+    };
     if (load(DeviceState::shown, fields_.velocity))
-        show(commands, 1.0f, 0, false);
+        show_as(0, air.shown);
     if (load(DeviceState::shown_before, fields_.velocity))
-        show(commands, 1.0f, 1, false);
+        show_as(1, air.shown_before);
     const bool frames = load(DeviceState::before, fields_.before);
     (void)load(DeviceState::velocity, fields_.velocity);
     if (!frames)

@@ -135,6 +135,7 @@ void Air::set_boundaries(NewBoundaries&& boundaries) {
     rules_written_ = false;
     if (!boundaries.tables)
         return;
+    reading_stale_ = true;
     tables_ = std::move(boundaries.tables);
     if (solids_) { // another periodic axis is another neighbour
         solids_.reset();
@@ -161,7 +162,7 @@ void Air::forget() {
     tile_.reset();
     layer_written_.clear();
     solids_.reset();
-    place_again_ = true;
+    place_again_ = reading_stale_ = true;
     shapes_.reset();
     shift_.reset();
     fresh_ = true;

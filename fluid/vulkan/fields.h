@@ -46,6 +46,7 @@ struct Fields {
     /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
     /// and the sum of those before it, the direction.
     Buffer solids, around, correction, direction;
+    Buffer reading;            ///< tables of SurfaceReading; a stand-in until there are some
     Buffer layer;              ///< over rough ground: tables of SurfaceLayer
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds

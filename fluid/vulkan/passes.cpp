@@ -48,7 +48,7 @@ using Groups = Passes::Groups;
 constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has as many
 constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
 constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
-constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows
+constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows, then that of reading.glsl
 constexpr std::uint32_t k_load_groups = 64;     // that take bodies or closed faces in turns
 constexpr std::uint32_t k_surface_group = 1024; // of the passes of one group over what is at obstacles, where the device has them
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
@@ -239,7 +239,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
               f.solids, f.around));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
-        Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids));
+        Pass::show, show_code(settings),
+        of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids, f.reading));
     const auto to_host = [&] { plans.back().to_host = true; };
     over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.around, f.solids, f.slots[0]));
     to_host();
@@ -252,8 +253,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     }
     if (f.points.bytes() > 0) {
         const auto points = static_cast<std::uint32_t>(f.points.bytes() / sizeof(WindrowPoint));
-        over(lines, {blocks(points, lines[0]), 1, 1})(Pass::read_points, words::read_points,
-                                                      of(f.step, f.control, f.velocity, f.before, f.points, f.slots[0]));
+        over(lines, {blocks(points, lines[0]), 1, 1})(
+            Pass::read_points, words::read_points, of(f.step, f.control, f.velocity, f.before, f.points, f.reading, f.slots[0]));
         to_host();
     }
 
@@ -275,6 +276,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         constants.resize(k_obstacles_constant, 0);
         constants.push_back(yes(settings.obstacles));
         constants.push_back(yes(settings.rows));
+        constants.push_back(yes(settings.samples));
         auto pipeline = device.pipeline({.code = plan.code,
                                          .bindings = kinds,
                                          .constants = constants,

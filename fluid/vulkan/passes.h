@@ -79,7 +79,7 @@ class Push {
     }
 
   private:
-    std::array<std::int32_t, 8> words_{};
+    std::array<std::int32_t, 9> words_{};
 };
 
 class Passes {
@@ -94,6 +94,7 @@ class Passes {
         bool obstacles = false;   ///< else the passes know none
         bool rough = false;       ///< over rough ground
         bool rows = false;        ///< of unequal thickness
+        bool samples = false;     ///< cells beside surfaces are shown otherwise than they are
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.
@@ -106,6 +107,8 @@ class Passes {
     }
 
     using Groups = std::array<std::uint32_t, 3>;
+    /// They know of cells that are shown otherwise than they are.
+    [[nodiscard]] bool sample() const { return settings_.samples; }
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
     /// [bytes] What a dispatch of all its work groups moves where every field that it binds holds something: each field of cells
     /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the

@@ -1,5 +1,6 @@
 // What comes back to the host with each frame besides the report, and views of it. The views read the memory that the device
-// wrote: there is no copy on the host. They are valid until the next recording, or a `collect` that takes one.
+// wrote; only beside surfaces, where cells are sampled otherwise than they are, the first query of a frame copies them on the host.
+// They are valid until the next recording, or a `collect` that takes one.
 #pragma once
 
 #include "../api.h"
@@ -25,8 +26,9 @@ enum class ReadBack : std::uint8_t {
 /// The wind of a frame as halves (IEEE binary16: 11 bits, at most 65504). Cheap to copy.
 class WINDROW_API HalfView {
   public:
-    /// `place` has no cells; the rest is its.
-    HalfView(const WindView& place, std::span<const glm::u16vec4> cells) : place_(place), cells_(cells) {}
+    /// `place` has no cells of its own, and those that are sampled where `samples` is true.
+    HalfView(const WindView& place, std::span<const glm::u16vec4> cells, bool samples = false)
+        : place_(place), cells_(cells), samples_(samples) {}
 
     /// [m/s] As WindView::velocity.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
@@ -39,7 +41,13 @@ class WINDROW_API HalfView {
   private:
     WindView place_;
     std::span<const glm::u16vec4> cells_;
+    bool samples_;
 };
+
+/// [m/s] Of a cell of halves.
+[[nodiscard]] inline glm::vec4 vector_of(glm::u16vec4 cell) {
+    return {from_half(cell.x), from_half(cell.y), from_half(cell.z), 0.0f};
+}
 
 /// The wind at the points of one frame, in their order.
 struct PointWinds {

@@ -36,6 +36,7 @@ void cut(RecordedFrame& frame, glm::ivec3 low, glm::ivec3 size) {
             *faces[static_cast<std::size_t>(axis)][1] = {};
     }
     frame.frame.window.origin_cells += CellIndex(low);
+    frame.part = {.cells = size, .low = frame.part.low + low, .rows_low = low.y};
     frame.box.cells = frame.frame.window.cells = size;
 }
 
@@ -47,7 +48,7 @@ WindrowPoint point_in(const RecordedFrame& frame, glm::dvec3 position) {
             .high = place.high,
             .unused_a = 0,
             .between = place.between,
-            .unused_b = 0.0f,
+            .over_floor = static_cast<float>(position.y - frame.frame.window.origin().y),
             .ambient = place.ambient,
             .unused_c = 0.0f};
 }
@@ -55,13 +56,12 @@ WindrowPoint point_in(const RecordedFrame& frame, glm::dvec3 position) {
 } // namespace
 
 glm::vec3 HalfView::velocity(glm::dvec3 position) const {
+    if (samples_)
+        return place_.velocity(position);
     const Box& box = place_.box();
     return windrow::detail::wind_at(
         windrow::detail::place_in(box, place_.window(), place_.blend_zone(), place_.ambient(), position),
-        [&](int i, int j, int k) {
-            const glm::u16vec4 cell = cells_[box.index(i, j, k)];
-            return glm::vec3(from_half(cell.x), from_half(cell.y), from_half(cell.z));
-        });
+        [&](int i, int j, int k) { return glm::vec3(vector_of(cells_[box.index(i, j, k)])); });
 }
 
 void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {

@@ -17,8 +17,10 @@ struct RecordedFrame {
     ShownFrame frame;
     Box box{}; ///< with the sides of its time
     BlendZone blend_zone{};
-    double time = 0.0;      ///< [s] of the wind's own clock
-    std::uint64_t tick = 0; ///< the last one in it or before
+    double time = 0.0;                               ///< [s] of the wind's own clock
+    std::uint64_t tick = 0;                          ///< the last one in it or before
+    std::shared_ptr<const SurfaceReading> reading{}; ///< how its cells are sampled; null: as they are
+    SurfaceReading::Part part{};                     ///< of the reading's box
 };
 
 /// What a frame asks to be read: a place, and points.
@@ -54,6 +56,8 @@ class ReadBacks {
 
     /// The frame that was taken last; null before the first. Its box is the one that was read.
     [[nodiscard]] const RecordedFrame* frame() const { return taken_recording_ > 0 ? &held().frame : nullptr; }
+    /// Counts what was taken.
+    [[nodiscard]] std::uint64_t recording() const { return taken_recording_; }
     /// The bytes in its buffer after the report.
     [[nodiscard]] std::span<const std::byte> bytes(const Air& air) const { return air.read(held_); }
     [[nodiscard]] std::span<const glm::dvec3> points() const { return held().points; }

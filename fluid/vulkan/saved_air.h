@@ -36,6 +36,9 @@ struct RestoredAir {
     float undiffused_time = 0.0f; ///< [s]
     DeviceSurface surface{};
     std::vector<float> terms{}; ///< at its faces
+    /// Obstacles as the frames show them, in the box of now; and the places of the boxes of both frames.
+    std::vector<PlacedObstacle> standing{};
+    Window shown{}, shown_before{};
 };
 
 } // namespace windrow::vulkan

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/vector_relational.hpp>
+#include <iterator>
 #include <utility>
 
 namespace windrow::vulkan {
@@ -162,8 +163,10 @@ namespace {
 template <class Use>
 auto with_views(const Wind::State& state, const Use& use) {
     const Box box = state.core.box();
+    const auto& reading = state.cells.air->reading();
+    const ShownCells shown{.law = reading ? reading->law() : WallLaw{}};
     const auto view = [&](const ShownFrame& frame) {
-        return WindView(box, frame.window, state.core.blend_zone(frame.blend_centre), frame.ambient, {});
+        return WindView(box, frame.window, state.core.blend_zone(frame.blend_centre), frame.ambient, {}, Simd::best, shown);
     };
     const ShownFrame unrecorded = state.core.shown();
     const ShownFrame& now = state.recorded ? *state.recorded : unrecorded;
@@ -233,11 +236,11 @@ const AmbientWind& Wind::ambient_wind() const {
 namespace {
 
 // The last read-back where it is of this kind, as a view with the cells given.
-std::optional<WindView> view_of(const Wind::State& state, std::span<const glm::vec4> cells) {
+std::optional<WindView> view_of(const Wind::State& state, std::span<const glm::vec4> cells, const ShownCells& shown) {
     const RecordedFrame* const read = state.read_backs.frame();
     if (read == nullptr)
         return std::nullopt;
-    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, cells);
+    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, cells, Simd::best, shown);
 }
 
 template <class Value>
@@ -252,15 +255,22 @@ std::optional<WindView> Wind::queried() const {
     if (kind != ReadBack::cells && kind != ReadBack::box)
         return std::nullopt;
     const auto bytes = state_->read_backs.bytes(*state_->cells.air);
-    return view_of(*state_, values<glm::vec4>(bytes, bytes.size()));
+    const auto cells = values<glm::vec4>(bytes, bytes.size());
+    return view_of(*state_, cells, state_->sampled([&] { return cells; }));
 }
 
 std::optional<HalfView> Wind::queried_halves() const {
     if (state_->settings.queries != ReadBack::halves)
         return std::nullopt;
-    const auto place = view_of(*state_, {});
     const auto bytes = state_->read_backs.bytes(*state_->cells.air);
-    return place ? std::optional(HalfView(*place, values<glm::u16vec4>(bytes, bytes.size()))) : std::nullopt;
+    const auto halves = values<glm::u16vec4>(bytes, bytes.size());
+    std::vector<glm::vec4> cells;
+    const ShownCells shown = state_->sampled([&] {
+        std::ranges::transform(halves, std::back_inserter(cells), vector_of);
+        return std::span<const glm::vec4>(cells);
+    });
+    const auto place = view_of(*state_, {}, shown);
+    return place ? std::optional(HalfView(*place, halves, !shown.cells.empty())) : std::nullopt;
 }
 
 std::optional<PointWinds> Wind::queried_points() const {

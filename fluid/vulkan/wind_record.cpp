@@ -89,7 +89,9 @@ RecordedFrame Wind::State::frame_now() const {
             .box = core.box(),
             .blend_zone = core.blend_zone(shown.blend_centre),
             .time = time,
-            .tick = cells.rest.tick};
+            .tick = cells.rest.tick,
+            .reading = cells.air->reading(),
+            .part = cells.air->sampled_part()};
 }
 
 bool Wind::State::collect(int number) {
@@ -100,6 +102,24 @@ bool Wind::State::collect(int number) {
         clock->collect(number);
     const auto taken = read_backs.take(*cells.air, number);
     return taken && *taken;
+}
+
+// Of the frame that was taken last, whose cells are `own`; by the first query of the frame.
+ShownCells Wind::State::sampled(const std::function<std::span<const glm::vec4>()>& own) const {
+    const RecordedFrame* const read = read_backs.frame();
+    if (read == nullptr || !read->reading)
+        return {};
+    const std::lock_guard lock(sampling_);
+    if (sampled_of_ != read_backs.recording()) {
+        sampled_.resize(read->box.cell_count());
+        read->reading->show(own(), read->part, sampled_, ParallelFor{});
+        sampled_of_ = read_backs.recording();
+    }
+    return {.cells = sampled_,
+            .law = read->reading->law(),
+            .reading = read->reading.get(),
+            .low = read->part.low,
+            .rows_low = read->part.rows_low};
 }
 
 Diagnostics Wind::State::diagnostics() const {

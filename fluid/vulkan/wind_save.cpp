@@ -94,6 +94,12 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
     }
     air.surface = {.keys = std::move(from.surface.keys), .shift = from.surface.shift};
     air.terms = std::move(from.surface.terms);
+    if (!air.surface.keys.empty())
+        air.standing = from.core.obstacles.standing_in(from.core.window(), from.core.config.boundaries);
+    if (from.core.frames) {
+        air.shown = from.core.frames->shown.window;
+        air.shown_before = from.core.frames->shown_before.window;
+    }
     if (!trouble.empty())
         return Error{"the snapshot's cells were not loaded: " + trouble};
     return air;

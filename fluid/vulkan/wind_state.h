@@ -6,7 +6,10 @@
 #include "fluid/vulkan/read_backs.h"
 #include "fluid/vulkan/wind.h"
 
+#include <functional>
+#include <mutex>
 #include <optional>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -52,6 +55,7 @@ struct WINDROW_HIDDEN Wind::State {
     [[nodiscard]] Diagnostics reported();
     void forget();
     [[nodiscard]] RecordedFrame frame_now() const;
+    [[nodiscard]] ShownCells sampled(const std::function<std::span<const glm::vec4>()>& own) const;
     [[nodiscard]] Result<std::vector<std::byte>> saved();
     [[nodiscard]] Result<void> continue_from(LoadedWind from);
 
@@ -68,8 +72,11 @@ struct WINDROW_HIDDEN Wind::State {
             save->done = true;
     }
 
-    bool save_failed_ = false; ///< for lack of host memory
-    bool asked_ = false;       ///< in this recording: for something since the frame before it
+    bool save_failed_ = false;    ///< for lack of host memory
+    mutable std::mutex sampling_; ///< of the two below, for queries of several threads
+    mutable std::vector<glm::vec4> sampled_;
+    mutable std::uint64_t sampled_of_ = 0; ///< ReadBacks::recording
+    bool asked_ = false;                   ///< in this recording: for something since the frame before it
 };
 
 } // namespace windrow::vulkan

@@ -7,12 +7,16 @@
 //     float windrow_row_height(uint volume, int row) { return winds[...].rows[row >> 2][row & 3]; }
 //
 //     #define WINDROW_TEXTURES uint                                                   // what stands for a frame's textures
-//     vec3 windrow_texture(uint volume, vec3 place) { return textureLod(volumes[nonuniformEXT(volume)], place, 0.0).xyz; }
+//     vec4 windrow_texture(uint volume, vec3 place) { return textureLod(volumes[nonuniformEXT(volume)], place, 0.0); }
 //     #define WINDROW_TILE uint                                                       // what stands for a gust tile
 //     vec3 windrow_tile_texel(uint tile, ivec3 texel) { ... }                         // numerics/ambient.glsl
 //     #include "coupling/windrow_sampling.glsl"
 //
 //     vec3 u = windrow_velocity_at(volume, tile, winds[i].frame, p);                        // [m/s] at p [m] from the block's anchor
+//
+// Textures hold the wind as it is sampled: filled beside surfaces, so that a blade's foot finds the air along them. Over rough ground
+// x, y, z are the wind over its share by the law of the wall and the fourth component is the height [m]; these functions multiply by
+// the share at p. Three textures of one component have no place for it: there the wind is without the law.
 //
 // Weights between texels, by a define before this text:
 //   (none)            the texture unit's: one fetch of a four-component texture, three of three scalar ones. The sampler is linear,
@@ -28,14 +32,15 @@
 #define WINDROW_TEXTURES sampler3D // four components
 #ifdef WINDROW_EXACT
 // One texel; each index lies within the box.
-vec3 windrow_texel(WINDROW_TEXTURES textures, ivec3 texel) { return texelFetch(textures, texel, 0).xyz; }
+vec4 windrow_texel(WINDROW_TEXTURES textures, ivec3 texel) { return texelFetch(textures, texel, 0); }
 #else
 // Filtered, at a place that is 0 to 1 along each axis of the box.
-vec3 windrow_texture(WINDROW_TEXTURES textures, vec3 place) { return textureLod(textures, place, 0.0f).xyz; }
+vec4 windrow_texture(WINDROW_TEXTURES textures, vec3 place) { return textureLod(textures, place, 0.0f); }
 #endif
 #endif
 
 #include "../numerics/ambient.glsl"
+#include "../numerics/wall_law.glsl"
 #include "../numerics/window.glsl"
 
 // The same layout as windrow::WindowBlock (fluid/textures.h), which says more of each field.
@@ -48,10 +53,16 @@ struct WindrowWindow {
     float rows;
     vec3 ambient;
     float height;
-    vec3 low_boundaries, high_boundaries;
+    vec3 low_boundaries;
+    float wall_per_length;
+    vec3 high_boundaries;
+    float wall_per_log;
     vec3 blend_centre;
     float blend_width;
-    vec3 blend_reach, previous_blend_centre;
+    vec3 blend_reach;
+    float wall_lowest;
+    vec3 previous_blend_centre;
+    float wall_fall;
 };
 
 // The same layout as windrow::AxisBlock: factors of a coordinate p [m] from the anchor.
@@ -95,8 +106,20 @@ float windrow_row_place(WINDROW_TEXTURES textures, int rows, float height) {
 }
 #endif
 
+#if defined(WINDROW_THREE_TEXTURES) || defined(WINDROW_SMOOTH_GROUND) // define the second where no wind has a roughness
+vec3 windrow_lowered(WindrowWindow window, vec4 air, float over_floor) { return air.xyz; }
+#else
+// Of what a texture holds, by the law of the wall.
+vec3 windrow_lowered(WindrowWindow window, vec4 air, float over_floor) {
+    float height = windrow_wall_height(air.w, over_floor, window.wall_lowest, window.wall_fall);
+    return windrow_wall_share(height, window.wall_per_length, window.wall_per_log) * air.xyz;
+}
+#endif
+
 // The textures at p, trilinear; `origin` [m] is the box's low corner.
 #ifdef WINDROW_EXACT
+vec4 windrow_texel_blend(vec4 a, vec4 b, float t) { return a + t * (b - a); }
+
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 kinds = window.low_boundaries, local = (p - origin) / window.cell_size;
 #ifndef WINDROW_EQUAL_ROWS
@@ -112,23 +135,25 @@ vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, Windr
                       windrow_axis_texel(under.z, cells.z, kinds.z));
     ivec3 high = ivec3(windrow_axis_texel(under.x + 1, cells.x, kinds.x), windrow_axis_texel(under.y + 1, cells.y, kinds.y),
                        windrow_axis_texel(under.z + 1, cells.z, kinds.z));
-    vec3 ll = windrow_tile_blend(windrow_texel(textures, low), windrow_texel(textures, ivec3(high.x, low.y, low.z)), t.x);
-    vec3 hl = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, high.y, low.z)),
-                                 windrow_texel(textures, ivec3(high.x, high.y, low.z)), t.x);
-    vec3 lh = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, low.y, high.z)),
-                                 windrow_texel(textures, ivec3(high.x, low.y, high.z)), t.x);
-    vec3 hh = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, high.y, high.z)), windrow_texel(textures, high), t.x);
-    return windrow_tile_blend(windrow_tile_blend(ll, hl, t.y), windrow_tile_blend(lh, hh, t.y), t.z);
+    vec4 ll = windrow_texel_blend(windrow_texel(textures, low), windrow_texel(textures, ivec3(high.x, low.y, low.z)), t.x);
+    vec4 hl = windrow_texel_blend(windrow_texel(textures, ivec3(low.x, high.y, low.z)),
+                                  windrow_texel(textures, ivec3(high.x, high.y, low.z)), t.x);
+    vec4 lh = windrow_texel_blend(windrow_texel(textures, ivec3(low.x, low.y, high.z)),
+                                  windrow_texel(textures, ivec3(high.x, low.y, high.z)), t.x);
+    vec4 hh = windrow_texel_blend(windrow_texel(textures, ivec3(low.x, high.y, high.z)), windrow_texel(textures, high), t.x);
+    vec4 air = windrow_texel_blend(windrow_texel_blend(ll, hl, t.y), windrow_texel_blend(lh, hh, t.y), t.z);
+    return windrow_lowered(window, air, p.y - origin.y);
 }
 #else
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 at = vec3(place.x.texture_scale * p.x + place.x.texture_offset, place.y.texture_scale * p.y + place.y.texture_offset,
                    place.z.texture_scale * p.z + place.z.texture_offset);
+    float over_floor = window.height * at.y;
 #ifndef WINDROW_EQUAL_ROWS
     if (window.rows > 0.0f)
-        at.y = windrow_row_place(textures, int(window.rows), window.height * at.y) / window.rows;
+        at.y = windrow_row_place(textures, int(window.rows), over_floor) / window.rows;
 #endif
-    return windrow_texture(textures, at); // the sampler wraps and clamps
+    return windrow_lowered(window, windrow_texture(textures, at), over_floor); // the sampler wraps and clamps
 }
 #endif
 

@@ -41,19 +41,20 @@ layout(set = WINDROW_SET, binding = WINDROW_BINDING + 6) uniform sampler3D windr
 #define WINDROW_NOW 0
 #define WINDROW_BEFORE 1
 #ifdef WINDROW_EXACT
-vec3 windrow_texel(int frame, ivec3 texel) {
+vec4 windrow_texel(int frame, ivec3 texel) {
     if (frame == WINDROW_NOW)
-        return vec3(texelFetch(windrow_x, texel, 0).x, texelFetch(windrow_y, texel, 0).x, texelFetch(windrow_z, texel, 0).x);
-    return vec3(texelFetch(windrow_x_before, texel, 0).x, texelFetch(windrow_y_before, texel, 0).x,
-                texelFetch(windrow_z_before, texel, 0).x);
+        return vec4(texelFetch(windrow_x, texel, 0).x, texelFetch(windrow_y, texel, 0).x, texelFetch(windrow_z, texel, 0).x,
+                    0.0f);
+    return vec4(texelFetch(windrow_x_before, texel, 0).x, texelFetch(windrow_y_before, texel, 0).x,
+                texelFetch(windrow_z_before, texel, 0).x, 0.0f);
 }
 #else
-vec3 windrow_texture(int frame, vec3 place) {
+vec4 windrow_texture(int frame, vec3 place) {
     if (frame == WINDROW_NOW)
-        return vec3(textureLod(windrow_x, place, 0.0).x, textureLod(windrow_y, place, 0.0).x,
-                    textureLod(windrow_z, place, 0.0).x);
-    return vec3(textureLod(windrow_x_before, place, 0.0).x, textureLod(windrow_y_before, place, 0.0).x,
-                textureLod(windrow_z_before, place, 0.0).x);
+        return vec4(textureLod(windrow_x, place, 0.0).x, textureLod(windrow_y, place, 0.0).x, textureLod(windrow_z, place, 0.0).x,
+                    0.0f);
+    return vec4(textureLod(windrow_x_before, place, 0.0).x, textureLod(windrow_y_before, place, 0.0).x,
+                textureLod(windrow_z_before, place, 0.0).x, 0.0f);
 }
 #endif
 #else

@@ -49,15 +49,15 @@
 
 // 0 this frame, 1 the one before; constant where it is called.
 #define WINDROW_TEXTURES int
-float3 windrow_texel(int frame, int3 texel) {
+float4 windrow_texel(int frame, int3 texel) {
     if (frame == 0)
-        return windrow_vectors.Load(int4(texel, 0)).xyz;
-    return windrow_vectors_before.Load(int4(texel, 0)).xyz;
+        return windrow_vectors.Load(int4(texel, 0));
+    return windrow_vectors_before.Load(int4(texel, 0));
 }
-float3 windrow_texture(int frame, float3 place) {
+float4 windrow_texture(int frame, float3 place) {
     if (frame == 0)
-        return windrow_vectors.SampleLevel(windrow_sampler, place, 0.0f).xyz;
-    return windrow_vectors_before.SampleLevel(windrow_sampler, place, 0.0f).xyz;
+        return windrow_vectors.SampleLevel(windrow_sampler, place, 0.0f);
+    return windrow_vectors_before.SampleLevel(windrow_sampler, place, 0.0f);
 }
 #define WINDROW_TILE int
 float3 windrow_tile_texel(int tile, int3 texel) { return windrow_tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }

@@ -170,6 +170,23 @@ struct WindrowSolids {
 #define WINDROW_BYTE_REACH_SHIFT 5 // reach from which its reads stop at closed faces; 0: none up to WindrowSolids.farthest
 #define WINDROW_FARTHEST_REACH 6   // most that it may be
 
+// --- Cells as they are shown (reading.glsl) ------------------------------------------------------------------------------------
+
+// Head of the tables: where each begins, in words behind the head.
+struct WindrowReading {
+    int on;      // 0: every cell is shown as it is
+    int rows;    // first entry of each row of x, and the end of the last
+    int columns; // x of each entry
+    int entries; // WINDROW_READING_ENTRY words each: first term, their number, wall, height, raise
+    int terms;   // WINDROW_READING_TERM words each: cell, weight, weight over the law's share
+    int walls;   // WINDROW_READING_WALL words each: normal, its velocity along it, its velocity, what is kept beside it
+    int laws;    // height and raise of each row; -1: no law
+    int unused;
+};
+#define WINDROW_READING_ENTRY 5
+#define WINDROW_READING_TERM 3
+#define WINDROW_READING_WALL 8
+
 #define WINDROW_RESIDUAL_GROUPS 64 // at most as many as invocations
 
 // Around obstacles: where the conjugate gradients are, then words of each surface cell and face.
@@ -193,9 +210,9 @@ struct WindrowPoint {
     float fraction; // weight of the box's wind
     ivec3 high;
     int unused_a;
-    vec3 between; // of the way from the low to the high cell, on each axis
-    float unused_b;
-    vec3 ambient; // [m/s]
+    vec3 between;     // of the way from the low to the high cell, on each axis
+    float over_floor; // [m] over the box's low boundary
+    vec3 ambient;     // [m/s]
     float unused_c;
 };
 
@@ -292,6 +309,7 @@ struct WindrowAdjustPush {
 };
 
 struct WindrowShowPush {
+    ivec3 shift;  // [cells] of the box, since the tables of what is shown were made
     float factor; // of the way from the tick before to now
     int reports;  // 1: a tick is to be reported
 };
@@ -310,8 +328,10 @@ struct WindrowReadPush {
 };
 
 struct WindrowPointsPush {
-    float factor; // as WindrowShowPush
+    ivec3 shift; // as WindrowShowPush
     int points;
+    float factor;                                                // as WindrowShowPush
+    float wall_per_length, wall_per_log, wall_lowest, wall_fall; // numerics/wall_law.glsl
 };
 
 // lift.comp: what a field holds once the box has risen.

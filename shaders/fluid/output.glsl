@@ -1,6 +1,10 @@
 // Output of a frame: the wind between the last two ticks as textures, and the figures of the tick's report.
 //
 // WINDROW_VECTORS and WINDROW_AXES are the formats of one texture of four components and of three of one; each alone, or both.
+// WINDROW_TEXEL(u) makes of a vec4 what such a texture can hold: a half becomes no infinity.
+#ifndef WINDROW_TEXEL
+#define WINDROW_TEXEL(u) (u)
+#endif
 #define WINDROW_READS_TILE 6
 #define WINDROW_PUSH WindrowShowPush
 #define WINDROW_BETWEEN_TICKS
@@ -14,29 +18,18 @@ layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
 #define WINDROW_SOLIDS 7
 #include "fluid/solids.glsl"
 #include "numerics/closed_face.glsl"
+#define WINDROW_READING 8
 #ifdef WINDROW_VECTORS
-#define WINDROW_FIRST_AXIS 9
-layout(WINDROW_VECTORS, set = 0, binding = 8) writeonly uniform image3D vectors;
+#define WINDROW_FIRST_AXIS 10
+layout(WINDROW_VECTORS, set = 0, binding = 9) writeonly uniform image3D vectors;
 #else
-#define WINDROW_FIRST_AXIS 8
+#define WINDROW_FIRST_AXIS 9
 #endif
 #ifdef WINDROW_AXES
 layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS) writeonly uniform image3D axis_x;
 layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS + 1) writeonly uniform image3D axis_y;
 layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS + 2) writeonly uniform image3D axis_z;
 #endif
-
-// Shows `u` at a cell.
-void write_texels(ivec3 cell, vec3 u) {
-#ifdef WINDROW_VECTORS
-    imageStore(vectors, cell, vec4(u, 0.0f));
-#endif
-#ifdef WINDROW_AXES
-    imageStore(axis_x, cell, vec4(u.x, 0.0f, 0.0f, 0.0f));
-    imageStore(axis_y, cell, vec4(u.y, 0.0f, 0.0f, 0.0f));
-    imageStore(axis_z, cell, vec4(u.z, 0.0f, 0.0f, 0.0f));
-#endif
-}
 
 #define WINDROW_FIELD(at) velocity[now(at)]
 #include "fluid/divergence.glsl"
@@ -58,6 +51,19 @@ float through_closed_faces(int record, float scale) {
     return sum;
 }
 #include "fluid/shown.glsl"
+#include "fluid/reading.glsl"
+
+void write_texels(ivec3 cell, SampledCell sampled) {
+#ifdef WINDROW_VECTORS
+    imageStore(vectors, cell, WINDROW_TEXEL(vec4(sampled.velocity, sampled.height)));
+#endif
+#ifdef WINDROW_AXES
+    const vec3 u = WINDROW_TEXEL(vec4(sampled.plain, 0.0f)).xyz;
+    imageStore(axis_x, cell, vec4(u.x, 0.0f, 0.0f, 0.0f));
+    imageStore(axis_y, cell, vec4(u.y, 0.0f, 0.0f, 0.0f));
+    imageStore(axis_z, cell, vec4(u.z, 0.0f, 0.0f, 0.0f));
+#endif
+}
 
 layout(constant_id = 3) const int k_group = 128; // invocations
 shared vec2 parts[k_group];
@@ -74,7 +80,7 @@ void main() {
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
         const vec4 u = velocity[now(at)];
-        write_texels(cell, shown_cell(at, push.factor).xyz);
+        write_texels(cell, sampled_cell(cell, push.factor, push.shift));
         if (reports) {
             float divergence = 0.0f;
             const int record = has_obstacles() ? solid_record(cell) : -1;

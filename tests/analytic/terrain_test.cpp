@@ -210,7 +210,7 @@ std::shared_ptr<const HeightMap> survey() {
     const std::string file = WINDROW_SOURCE_DIR "/examples/scenes/ground.pgm";
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-    const auto picture = detail::read_pgm(bytes, file, std::size_t{1} << 24);
+    const auto picture = windrow::detail::read_pgm(bytes, file, std::size_t{1} << 24);
     if (!picture) {
         ADD_FAILURE() << "python3 tools/make_ground.py makes it: " << picture.error();
         return nullptr;

@@ -126,9 +126,10 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
         }
     test::figure("faults tried in a life of a wind", points);
     test::figure("of which the wind outlived", outlived);
-    if (!test::k_sanitized) { // one frame is taken by `collect`, with its times; `record` reports what fails
-        EXPECT_EQ(survived["vkInvalidateMappedMemoryRanges"], 3 / stride);
-        EXPECT_EQ(survived["vkGetQueryPoolResults"], 3 / stride);
+    // One frame is taken by `collect`, with its times; `record` reports what fails.
+    for (const char* const call : {"vkInvalidateMappedMemoryRanges", "vkGetQueryPoolResults"}) {
+        EXPECT_LE(survived[call], 3) << call;
+        EXPECT_TRUE(stride > 1 || survived[call] == 3) << call;
     }
     for (const auto& [call, count] : survived)
         test::figure("of which by " + call, count);

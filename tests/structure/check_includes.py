@@ -41,7 +41,7 @@ NEUTRAL = ("fluid/core/*", "fluid/grid/*", "fluid/solids/*")
 ROOMS = {
     "core": ("fluid/grid/*", "fluid/solids/*"),
     "grid": (),
-    "solids": ("fluid/grid/*", "fluid/core/message.h", "fluid/core/bytes.h"),
+    "solids": ("fluid/grid/*", "fluid/core/message.h", "fluid/core/bytes.h", "fluid/core/numerics.h"),
     "files": ("fluid/core/message.h", "fluid/core/validation.h"),
     "cpu": NEUTRAL,
     "vulkan": NEUTRAL,

@@ -105,8 +105,8 @@ class CheckLanguages(unittest.TestCase):
         self.assertNotIn("windrow_wind.glsl", faults)
 
     def test_a_block_that_hlsl_packs_otherwise_is_a_fault(self):
-        faults = self.faults_of("shaders/coupling/windrow_sampling.glsl", "    vec3 blend_reach, previous_blend_centre;",
-                                "    vec3 blend_reach;\n    float odd[2];\n    float next;\n    vec3 previous_blend_centre;")
+        faults = self.faults_of("shaders/coupling/windrow_sampling.glsl", "    vec3 previous_blend_centre;\n",
+                                "    float odd[2];\n    float next;\n    vec3 previous_blend_centre;\n")
         self.assertIn("the block lies otherwise", faults)
 
 

@@ -237,15 +237,15 @@ namespace Windrow
         public Vec3 Ambient;
         public float Height;
         public Vec3 LowBoundaries;
-        public float Unused2;
+        public float WallPerLength;
         public Vec3 HighBoundaries;
-        public float Unused3;
+        public float WallPerLog;
         public Vec3 BlendCentre;
         public float BlendWidth;
         public Vec3 BlendReach;
-        public float Unused4;
+        public float WallLowest;
         public Vec3 PreviousBlendCentre;
-        public float Unused5;
+        public float WallFall;
     }
 
     [StructLayout(LayoutKind.Sequential)]

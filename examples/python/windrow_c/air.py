@@ -133,9 +133,9 @@ class UniformGust(c.Structure):
 class WindowBlock(c.Structure):
     _fields_ = [("origin", Vec3), ("cell_size", c.c_float), ("cells", Vec3), ("factor", c.c_float),
                 ("previous_origin", Vec3), ("rows", c.c_float), ("ambient", Vec3), ("height", c.c_float),
-                ("low_boundaries", Vec3), ("unused_2", c.c_float), ("high_boundaries", Vec3), ("unused_3", c.c_float),
-                ("blend_centre", Vec3), ("blend_width", c.c_float), ("blend_reach", Vec3), ("unused_4", c.c_float),
-                ("previous_blend_centre", Vec3), ("unused_5", c.c_float)]
+                ("low_boundaries", Vec3), ("wall_per_length", c.c_float), ("high_boundaries", Vec3),
+                ("wall_per_log", c.c_float), ("blend_centre", Vec3), ("blend_width", c.c_float), ("blend_reach", Vec3),
+                ("wall_lowest", c.c_float), ("previous_blend_centre", Vec3), ("wall_fall", c.c_float)]
 
 
 class AxisBlock(c.Structure):

@@ -185,9 +185,9 @@ pub struct UniformGust {
 #[derive(Clone, Copy)]
 pub struct WindowBlock {
     pub origin: Vec3, pub cell_size: f32, pub cells: Vec3, pub factor: f32, pub previous_origin: Vec3, pub rows: f32,
-    pub ambient: Vec3, pub height: f32, pub low_boundaries: Vec3, pub unused_2: f32, pub high_boundaries: Vec3,
-    pub unused_3: f32, pub blend_centre: Vec3, pub blend_width: f32, pub blend_reach: Vec3, pub unused_4: f32,
-    pub previous_blend_centre: Vec3, pub unused_5: f32,
+    pub ambient: Vec3, pub height: f32, pub low_boundaries: Vec3, pub wall_per_length: f32, pub high_boundaries: Vec3,
+    pub wall_per_log: f32, pub blend_centre: Vec3, pub blend_width: f32, pub blend_reach: Vec3, pub wall_lowest: f32,
+    pub previous_blend_centre: Vec3, pub wall_fall: f32,
 }
 
 #[repr(C)]

@@ -166,7 +166,30 @@ inline void ambient_around(const PointTask& task, Positions<Lanes>& positions, V
     ambient_points(task.ambient, positions, ambient);
 }
 
+// The wind among the cells as the law of the wall leaves it: by the height in its fourth lane, which becomes 0.
 template <int Lanes>
+inline void read_over_wall(const PointTask& task, const Positions<Lanes>& positions, const BoxPlaces<Lanes>& places,
+                           const Corners<Lanes>& corners, Vectors<Lanes>& air) {
+    Numbers<Lanes> height;
+    for (int n = 0; n < Lanes; ++n) {
+        const Cell cell = trilinear(task.field, corners, places.between, n, k_not_turned);
+        store_cell(air.at[n], cell);
+        height.at[n] = cell[3];
+    }
+    for_lanes<Lanes>([&](int n) {
+        const auto over_floor = static_cast<float>(positions.axis[1].at[n] - task.bottom);
+        height.at[n] = text::windrow_wall_height(height.at[n], over_floor, task.wall_lowest, task.wall_fall);
+    });
+    for_lanes<Lanes>(
+        [&](int n) { height.at[n] = text::windrow_wall_share(height.at[n], task.wall_per_length, task.wall_per_log); });
+    for (int n = 0; n < Lanes; ++n) {
+        const Cell share = {height.at[n], height.at[n], height.at[n], 0.0f};
+        store_cell(air.at[n], share * load_cell(air.at[n]));
+    }
+}
+
+// `Law`: of the wall.
+template <bool Law, int Lanes>
 inline void point_group(const PointTask& task, const double* from, int count, int stride, float* out) {
     Positions<Lanes> positions;
     BoxPlaces<Lanes> places;
@@ -175,7 +198,15 @@ inline void point_group(const PointTask& task, const double* from, int count, in
     Corners<Lanes> corners;
     if (Lanes > 1 || places.share.at[0] > 0.0f)
         corners_of(task, places, corners);
-    const auto inside = [&](int n) { return trilinear(task.field, corners, places.between, n, k_not_turned); };
+    Vectors<Lanes> air;
+    if (Law && (Lanes > 1 || places.share.at[0] > 0.0f))
+        read_over_wall(task, positions, places, corners, air);
+    const auto inside = [&](int n) {
+        if constexpr (Law)
+            return load_cell(air.at[n]);
+        else
+            return trilinear(task.field, corners, places.between, n, k_not_turned);
+    };
     if (!any_below(places.share, 1.0f)) {
         write_velocities(inside, count, stride, out);
         return;
@@ -189,11 +220,19 @@ inline void point_group(const PointTask& task, const double* from, int count, in
     write_velocities([&](int n) { return mixed(load_cell(ambient.at[n]), inside(n), places.share.at[n]); }, count, stride, out);
 }
 
-void point_list(const PointTask& task, const double* positions, std::size_t count, int stride, float* out) {
+template <bool Law>
+void point_groups(const PointTask& task, const double* positions, std::size_t count, int stride, float* out) {
     const auto group = [&](auto lanes, std::size_t first, const double* from, int size) {
-        point_group<lanes.count>(task, from, size, stride, out + stride * first);
+        point_group<Law, lanes.count>(task, from, size, stride, out + stride * first);
     };
     for_groups(positions, count, group);
+}
+
+void point_list(const PointTask& task, const double* positions, std::size_t count, int stride, float* out) {
+    if (task.wall_per_log > 0.0f)
+        point_groups<true>(task, positions, count, stride, out);
+    else
+        point_groups<false>(task, positions, count, stride, out);
 }
 
 void place_point(const PointTask& task, const double* position, PointPlace& place) {

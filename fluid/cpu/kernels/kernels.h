@@ -216,8 +216,10 @@ struct PointTask {
     double per_cell;           ///< [1/m] one over the cell size
     const double* row_heights; ///< [m] over the low corner, of row -1 first; null: all rows are cell_size thick
     int rows;
-    double bottom, top; ///< [m] of the low corner in the world, of the box over it; where it has rows
-    const float* field; ///< four floats a cell
+    double bottom; ///< [m] of the low corner in the world; where it has rows, or a law of the wall acts
+    double top;    ///< [m] of the box over that; where it has rows
+    float wall_per_length, wall_per_log, wall_lowest, wall_fall; ///< shaders/numerics/wall_law.glsl; wall_per_log 0: none acts
+    const float* field;                                          ///< four floats a cell
     AmbientTask ambient;
 };
 

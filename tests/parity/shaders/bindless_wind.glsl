@@ -21,10 +21,10 @@ layout(std430, set = 0, binding = 4) readonly buffer Tile {
 
 // x 0 this frame, 1 the one before; y number of the wind.
 #define WINDROW_TEXTURES uvec2
-#define EXACT(volume) texelFetch(volume, texel, 0).xyz
-#define FILTERED(volume) textureLod(volume, place, 0.0).xyz
-vec3 windrow_texel(uvec2 textures, ivec3 texel) { return textures.x == 0 ? OF(now, EXACT) : OF(before, EXACT); }
-vec3 windrow_texture(uvec2 textures, vec3 place) { return textures.x == 0 ? OF(now, FILTERED) : OF(before, FILTERED); }
+#define EXACT(volume) texelFetch(volume, texel, 0)
+#define FILTERED(volume) textureLod(volume, place, 0.0)
+vec4 windrow_texel(uvec2 textures, ivec3 texel) { return textures.x == 0 ? OF(now, EXACT) : OF(before, EXACT); }
+vec4 windrow_texture(uvec2 textures, vec3 place) { return textures.x == 0 ? OF(now, FILTERED) : OF(before, FILTERED); }
 #define WINDROW_TILE uint
 vec3 windrow_tile_texel(uint wind, ivec3 texel) { return tiles[AT(wind)].texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }
 
