@@ -107,11 +107,13 @@ struct Ground {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("file", &Ground::heights,
-                    "Picture of 8 or 16 bits beside the scene, PGM, PNG or a raw square of 16 bits: a pixel a metre, black is 0 "
-                    "m, white 1 m, "
-                    "rows along z. A TIFF of floats or of numbers with a sign has metres. Its first pixel is at "
-                    "the position."),
+            Setting(
+                "file", &Ground::heights,
+                "Picture of 8 or 16 bits beside the scene, PGM, PNG or a raw square of 16 bits: a pixel a metre, black is 0 "
+                "m, white 1 m, "
+                "rows along z. A TIFF of floats or of numbers with a sign has metres, and so has an ASCII grid (.asc). Its first "
+                "pixel is at "
+                "the position."),
             Setting("scale", &Ground::scale, {1e-3, 1e5},
                     "Factor on its size along x, y and z: the metres of a pixel, and the metres of white over black."),
         };

@@ -27,7 +27,7 @@ struct RoughnessMap {
             Setting("file", &RoughnessMap::lengths,
                     "Picture of 8 or 16 bits beside the scene, PGM, PNG or a raw square of 16 bits: a pixel a metre, black is 0 "
                     "m, white 1 m, rows along z. A "
-                    "TIFF of floats has metres. Lengths below 1e-6 m are 1e-6 m."),
+                    "TIFF of floats or an ASCII grid (.asc) has metres. Lengths below 1e-6 m are 1e-6 m."),
             Setting("position", &RoughnessMap::position, k_world_range, "World place of its first pixel; y does not count."),
             Setting("scale", &RoughnessMap::scale, {1e-6, 1e5},
                     "Factor on its size along x and z, the metres of a pixel, and, y, on the lengths."),

@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <cmath>
 
 namespace windrow::pictures {
@@ -138,7 +139,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     return picture;
 }
 
-Result<HeightData> read_heights(std::string_view bytes, const std::string& name) {
+Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name) {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     OIIO::ImageSpec wanted;
     wanted.attribute("oiio:UnassociatedAlpha", 1); // else heights come multiplied by their alpha
@@ -156,20 +157,38 @@ Result<HeightData> read_heights(std::string_view bytes, const std::string& name)
     if (static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) / 2'000 > bytes.size())
         return Error{
             message(name, " has ", bytes.size(), " bytes for ", spec.width, " x ", spec.height, " px: give a whole file.")};
-    return detail::where_memory_lasts([&]() -> Result<HeightData> {
-        HeightData data{.corners = {spec.width, spec.height}, .spacing = 1.0f};
-        data.heights.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
-        if (!input->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, data.heights.data()))
+    return detail::where_memory_lasts([&]() -> Result<HeightPicture> {
+        HeightPicture picture{.data = {.corners = {spec.width, spec.height}, .spacing = 1.0f}};
+        std::vector<float>& heights = picture.data.heights;
+        heights.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+        const auto read_channel = [&](int channel, std::vector<float>& to) {
+            return input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, to.data());
+        };
+        bool whole = read_channel(0, heights);
+        if (std::vector<float> other(spec.nchannels >= 3 ? heights.size() : 0); !other.empty())
+            for (int channel = 1; channel < 3 && whole; ++channel) {
+                whole = read_channel(channel, other);
+                if (const auto apart = std::ranges::mismatch(heights, other); whole && apart.in1 != heights.end()) {
+                    const auto pixel = static_cast<int>(apart.in1 - heights.begin());
+                    return Error{message(name, " is a picture of colours, first at row ", pixel / spec.width + 1, ", column ",
+                                         pixel % spec.width + 1,
+                                         ": give heights in one channel, not coded in red, green and blue.")};
+                }
+            }
+        if (!whole)
             return Error{message(name, " is damaged (", input->geterror(), "): give a whole file.")};
-        // As floats, whole numbers with a sign are a share of the largest.
-        const double most = spec.format == OIIO::TypeDesc::INT8    ? 127.0
-                            : spec.format == OIIO::TypeDesc::INT16 ? 32767.0
-                            : spec.format == OIIO::TypeDesc::INT32 ? 2147483647.0
-                                                                   : 1.0;
+        // As floats, whole numbers are a part of the largest; those with a sign are metres.
+        const auto base = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
+        picture.metres = base != OIIO::TypeDesc::UINT8 && base != OIIO::TypeDesc::UINT16 && base != OIIO::TypeDesc::UINT32;
+        picture.unit = base == OIIO::TypeDesc::UINT8 ? 255.0 : base == OIIO::TypeDesc::UINT16 ? 65535.0 : 1.0;
+        const double most = base == OIIO::TypeDesc::INT8    ? 127.0
+                            : base == OIIO::TypeDesc::INT16 ? 32767.0
+                            : base == OIIO::TypeDesc::INT32 ? 2147483647.0
+                                                            : 1.0;
         if (most != 1.0)
-            for (float& height : data.heights)
+            for (float& height : heights)
                 height = static_cast<float>(std::round(most * static_cast<double>(height)));
-        return data;
+        return picture;
     });
 }
 

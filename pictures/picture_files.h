@@ -6,8 +6,8 @@
 // A file is encoded in memory, written beside its name and renamed: what was under the name stays until the new file is whole.
 #pragma once
 
+#include "fluid/files/pgm.h"
 #include "fluid/result.h"
-#include "fluid/shapes/height_map.h"
 #include "pictures/picture.h"
 
 #include <filesystem>
@@ -41,10 +41,10 @@ enum class PngRows {
 /// Any PNG of at most 8 bits a channel's worth of colour, without its alpha; rejects one above 16384 pixels a side.
 [[nodiscard]] Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words = nullptr);
 
-/// Heights of a picture's first channel, a pixel a metre, of a PNG or a TIFF. Whole numbers without a sign are
-/// 0 m for black and 1 m for white, of 8 or 16 bits; floats, and numbers with a sign as surveys have them, are metres. `name` begins
-/// an error's sentence. The geographic position of a GeoTIFF is ignored.
-[[nodiscard]] Result<HeightData> read_heights(std::string_view bytes, const std::string& name);
+/// Heights of a picture, a pixel a metre, of a PNG or a TIFF. Whole numbers without a sign are 0 m for black and 1 m for white, of 8
+/// or 16 bits; floats, and numbers with a sign as surveys have them, are metres. Rejects pictures of colours. `name` begins an error's
+/// sentence. What a GeoTIFF says beside its pixels is not read here (scene/height_files.h).
+[[nodiscard]] Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name);
 
 /// The picture in another size, filtered so that thin lines stay; rejected only without memory.
 [[nodiscard]] Result<Picture8> resized(const Picture8& picture, int width, int height);

@@ -1,7 +1,7 @@
 #include "scene/ground_source.h"
 
 #include "fluid/files/input_file.h"
-#include "fluid/files/pgm.h"
+#include "scene/height_files.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
 #include "scene/scene_parts.h"
@@ -60,20 +60,22 @@ Heights rolling(const GroundSource& ground) {
 }
 
 Heights from_file(JsonObject& object, const GroundSource& ground, const std::filesystem::path& file,
-                  const std::filesystem::path& folder) {
+                  const std::filesystem::path& folder, ByteOrder order) {
     const std::string named = "is " + quote_json(object.value()["heights"]), name = file.string();
     detail::InputBudget& budget = object.log().budget();
     const auto bytes = detail::read_input(file, {.folder = folder, .max_bytes = k_max_bytes}, budget);
-    const auto picture = bytes ? detail::read_pgm(*bytes, name, budget.memory_left() / sizeof(float)) : Error{bytes.error()};
+    const auto picture =
+        bytes ? read_height_file(*bytes, name, order, true, object.log()) : Result<HeightPicture>(Error{bytes.error()});
     if (!picture) {
         object.reject("heights", named + ": " + picture.error());
         return nullptr;
     }
-    if (auto taken = budget.take_memory(name, picture->pixels() * sizeof(float)); !taken) {
+    const std::vector<float>& own = picture->data.heights;
+    if (auto taken = budget.take_memory(name, own.size() * sizeof(float)); !taken) {
         object.reject("heights", named + ": " + taken.error());
         return nullptr;
     }
-    const glm::ivec2 corners = picture->size;
+    const glm::ivec2 corners = picture->data.corners;
     if (std::max(corners.x, corners.y) > k_max_samples || std::min(corners.x, corners.y) < 2) {
         object.reject("heights", message(named, ", which has ", corners.x, " x ", corners.y, " pixels: give 2 to ", k_max_samples,
                                          " a side."));
@@ -87,13 +89,13 @@ Heights from_file(JsonObject& object, const GroundSource& ground, const std::fil
         return nullptr;
     }
     std::vector<float> heights;
-    heights.reserve(picture->pixels());
-    for (std::size_t pixel = 0; pixel < picture->pixels(); ++pixel) {
+    heights.reserve(own.size());
+    for (std::size_t pixel = 0; pixel < own.size(); ++pixel) {
         const auto n = static_cast<int>(pixel);
         const glm::vec2 place = static_cast<float>(spacing) * glm::vec2(n % corners.x, n / corners.x);
-        heights.push_back(
-            static_cast<float>(ground.low + (ground.high - ground.low) * static_cast<double>(picture->value(pixel))) +
-            ground.hills.at(place));
+        const double height = static_cast<double>(own[pixel]);
+        heights.push_back(static_cast<float>(picture->metres ? height : ground.low + (ground.high - ground.low) * height) +
+                          ground.hills.at(place));
     }
     auto made = HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
     if (!made) {
@@ -121,6 +123,7 @@ double GroundSource::height(double x, double z) const {
 void read_ground(JsonObject object, GroundSource& ground, const std::filesystem::path& folder) {
     const std::size_t faults_before = object.log().faults();
     std::optional<std::filesystem::path> file;
+    const ByteOrder order = byte_order(object);
     read_settings(object, ground, [&](const auto& row, auto& member) {
         if constexpr (std::same_as<decltype(member), std::string&>) {
             file = file_beside(object, {row.name, row.meaning}, folder);
@@ -132,7 +135,7 @@ void read_ground(JsonObject object, GroundSource& ground, const std::filesystem:
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.reject("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
-        ground.heights = file ? from_file(object, ground, *file, folder) : rolling(ground);
+        ground.heights = file ? from_file(object, ground, *file, folder, order) : rolling(ground);
         if (!ground.heights && !file)
             object.reject("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");

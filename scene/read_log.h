@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/files/input_budget.h"
+#include "fluid/files/pgm.h"
 #include "fluid/result.h"
 #include "fluid/setting.h"
 #include "fluid/shapes/height_map.h"
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace windrow::scene {
@@ -34,7 +36,7 @@ struct KnownKey {
 };
 
 /// Heights of a picture that is no PGM, from its bytes; `name` begins the sentence that says why there are none.
-using HeightPictureReader = Result<HeightData> (*)(std::string_view bytes, const std::string& name);
+using HeightPictureReader = Result<HeightPicture> (*)(std::string_view bytes, const std::string& name);
 
 class ReadLog {
   public:
@@ -50,6 +52,9 @@ class ReadLog {
     /// Notes the faults of a validation, a line each.
     void reject_lines(std::string_view lines);
     void know(KnownKey key);
+    /// Notes what is no fault, but may not be what its writer wants.
+    void warn(std::string sentence) { warnings_.push_back(std::move(sentence)); }
+    [[nodiscard]] std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
 
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] std::size_t faults() const { return count_; }
@@ -69,6 +74,7 @@ class ReadLog {
     detail::InputBudget* budget_;
     std::vector<KnownKey>* known_;
     std::string text_;
+    std::vector<std::string> warnings_;
     std::size_t count_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "scene/text_file.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace windrow::scene {
 namespace {
@@ -162,10 +163,12 @@ Result<Scene> read_whole(std::string_view text, const std::filesystem::path& fil
     for (const ScenePath& path : scene->paths)
         names.push_back(path.name);
     ReadLog log(file.string(), budget);
+    log.heights = readers.heights;
     const PictureAir picture =
         read_picture_air(JsonObject((*document)["picture"], "$.picture", "$.picture", log), names, file.parent_path());
     if (log.faults() == 0)
         add_picture_air(*scene, picture, log, readers.meshes);
+    std::ranges::move(log.take_warnings(), std::back_inserter(scene->warnings));
     return log.faults() == 0 ? std::move(scene) : log.error();
 }
 
@@ -212,6 +215,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
         {"picture",
          "What a renderer adds: plants, light, a camera. Of it a run takes what changes the air: walkers, bodies and hills."});
     object.finish();
+    std::ranges::move(log.take_warnings(), std::back_inserter(scene.warnings));
 
     if (log.faults() > 0)
         return log.error();

@@ -2,12 +2,11 @@
 
 #include "fluid/core/message.h"
 #include "fluid/files/input_file.h"
-#include "fluid/files/pgm.h"
+#include "scene/height_files.h"
 #include "scene/obj_file.h"
 #include "scene/scene_parts.h"
 #include "scene/vox_file.h"
 
-#include <cmath>
 #include <filesystem>
 
 namespace windrow::scene {
@@ -27,48 +26,10 @@ Result<MeshData> parse_obj(std::string_view bytes, const std::string& name) {
     });
 }
 
-Result<HeightData> parse_pgm(std::string_view bytes, const std::string& name) {
-    const auto picture = detail::read_pgm(bytes, name, k_max_bytes);
-    if (!picture)
-        return Error{picture.error()};
-    return detail::where_memory_lasts([&]() -> Result<HeightData> {
-        HeightData data{.corners = picture->size, .spacing = 1.0f};
-        data.heights.reserve(picture->pixels());
-        for (std::size_t n = 0; n < picture->pixels(); ++n)
-            data.heights.push_back(picture->value(n));
-        return data;
-    });
-}
-
-// A square of whole numbers of 16 bits, the low byte first, as terrain tools write it (.raw, .r16).
-Result<HeightData> parse_raw(std::string_view bytes, const std::string& name) {
-    const auto corners = static_cast<int>(std::lround(std::sqrt(static_cast<double>(bytes.size() / 2))));
-    if (bytes.size() % 2 != 0 || static_cast<std::size_t>(corners) * static_cast<std::size_t>(corners) * 2 != bytes.size())
-        return Error{message(name, " has ", bytes.size(),
-                             " bytes, which is no square of heights of 16 bits: cut it square, or give a PGM.")};
-    return detail::where_memory_lasts([&]() -> Result<HeightData> {
-        HeightData data{.corners = {corners, corners}, .spacing = 1.0f};
-        data.heights.reserve(bytes.size() / 2);
-        for (std::size_t n = 0; n < bytes.size(); n += 2) {
-            const unsigned low = static_cast<unsigned char>(bytes[n]), high = static_cast<unsigned char>(bytes[n + 1]);
-            data.heights.push_back(static_cast<float>(low + 256u * high) / 65535.0f);
-        }
-        return data;
-    });
-}
-
 // Parsers that need nothing of the log.
 template <class Parse>
 auto alone(const Parse& parse) {
     return [&parse](std::string_view bytes, const std::string& name, ReadLog&) { return parse(bytes, name); };
-}
-
-// A PGM, as its first bytes tell, raw numbers, as its name does, or what the program can read besides.
-Result<HeightData> parse_heights(std::string_view bytes, const std::string& name, ReadLog& log) {
-    const std::filesystem::path file(name);
-    if (file.extension() == ".raw" || file.extension() == ".r16")
-        return parse_raw(bytes, name);
-    return log.heights == nullptr || bytes.starts_with("P5") ? parse_pgm(bytes, name) : log.heights(bytes, name);
 }
 
 } // namespace
@@ -119,7 +80,15 @@ void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const 
 }
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights) {
-    read(object, key, "a picture of heights, PGM, PNG, TIFF or raw,", heights_, heights, parse_heights);
+    const ByteOrder order = byte_order(object);
+    const bool scaled = object.value().contains("scale");
+    read(object, key, "a picture of heights, PGM, PNG, TIFF, .asc or raw,", heights_, heights,
+         [&](std::string_view bytes, const std::string& name, ReadLog& log) -> Result<HeightData> {
+             auto picture = read_height_file(bytes, name, order, scaled, log);
+             if (!picture)
+                 return Error{picture.error()};
+             return std::move(picture->data);
+         });
 }
 
 } // namespace windrow::scene

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "fluid/obstacle.h"
+#include "scene/height_files.h"
 #include "scene/json_object.h"
 #include "scene/setting_reader.h"
 
+#include <concepts>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -49,6 +51,8 @@ void read_with_files(JsonObject object, Struct& value, ShapeFiles& files, bool p
                 files.read(object, key, member);
             else
                 (void)object.text(key, "");
+            if constexpr (std::same_as<decltype(member), std::shared_ptr<const HeightMap>&>)
+                (void)byte_order(object); // known where no file is named too
             return true;
         } else if constexpr (requires { read_optional(object, key, member, files); }) {
             read_optional(object, key, member, files);

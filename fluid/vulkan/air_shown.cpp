@@ -136,7 +136,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     // The gust tile is made visible with the images: the host's shaders read it too.
     const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                .pNext = nullptr,
-                               .srcAccessMask = writes_of(k_compute | k_transfer),
+                               .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
                                .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
     device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages(), 0, 1, &tile, 0, nullptr,
                                               static_cast<std::uint32_t>(images.size()), images.data());

@@ -83,7 +83,7 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
     if (solids_) { // no list of theirs holds in other rows
         solids_.reset();
         unplaced_shift_ = glm::ivec3(0);
-        place_again_ = true;
+        place_again_ = reading_stale_ = true;
     }
 }
 

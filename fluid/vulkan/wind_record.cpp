@@ -115,11 +115,11 @@ ShownCells Wind::State::sampled(const std::function<std::span<const glm::vec4>()
         read->reading->show(own(), read->part, sampled_, ParallelFor{});
         sampled_of_ = read_backs.recording();
     }
-    return {.cells = sampled_,
-            .law = read->reading->law(),
-            .reading = read->reading.get(),
-            .low = read->part.low,
-            .rows_low = read->part.rows_low};
+    WallLaw law = read->reading->law();
+    if (read->part.rows_low > 0) // the part has no floor
+        law.lowest = -1e30f;
+    return {
+        .cells = sampled_, .law = law, .reading = read->reading.get(), .low = read->part.low, .rows_low = read->part.rows_low};
 }
 
 Diagnostics Wind::State::diagnostics() const {

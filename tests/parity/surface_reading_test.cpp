@@ -223,10 +223,10 @@ TEST_P(SurfaceReadings, OfEachKindOfQueryAgree) {
         row.config(config);
     auto cpu = windrow::Wind::create(config);
     ASSERT_TRUE(cpu);
+    const int rows = config.rows ? config.cells.y : config.cells.y - 2; // a part without the floor
     std::vector<Wind> winds;
     for (const ReadBack kind : {ReadBack::halves, ReadBack::box, ReadBack::points}) {
-        auto gpu =
-            Wind::create(sharing_host(), config, {.queries = kind, .read_cells = {12, config.cells.y, 12}, .read_points = 400});
+        auto gpu = Wind::create(sharing_host(), config, {.queries = kind, .read_cells = {12, rows, 12}, .read_points = 400});
         ASSERT_TRUE(gpu) << gpu.error();
         winds.push_back(*std::move(gpu));
     }
@@ -250,7 +250,8 @@ TEST_P(SurfaceReadings, OfEachKindOfQueryAgree) {
                 points.push_back(middle + glm::dvec3(place));
         for (Wind& wind : winds) {
             run([&](VkCommandBuffer commands) {
-                (void)held(wind.record_step(commands, {.dt = k_frame, .slot = 0, .around = middle, .points = points}));
+                const glm::dvec3 around = middle + glm::dvec3(0.0, 1.0, 0.0);
+                (void)held(wind.record_step(commands, {.dt = k_frame, .slot = 0, .around = around, .points = points}));
             });
             (void)wind.collect(0);
         }
@@ -262,7 +263,8 @@ TEST_P(SurfaceReadings, OfEachKindOfQueryAgree) {
         const glm::vec3 u = cpu->velocity(points[n]);
         fastest = std::max(fastest, difference(glm::vec4(u, 0.0f), glm::vec3(0.0f)));
         halves = std::max(halves, difference(glm::vec4(winds[0].velocity(points[n]), 0.0f), u));
-        box = std::max(box, difference(glm::vec4(winds[1].velocity(points[n]), 0.0f), u));
+        if (config.rows || points[n].y > cpu->origin().y + 6.0) // cells at its rim lack air beyond
+            box = std::max(box, difference(glm::vec4(winds[1].velocity(points[n]), 0.0f), u));
         at_points = std::max(at_points, difference(asked->velocities[n], u));
     }
     WINDROW_EXPECT_FIGURE("surface_readings.halves." + row.name, halves / fastest, 2e-3);

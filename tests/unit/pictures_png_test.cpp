@@ -5,6 +5,7 @@
 #include "tests/unit/command_outcome.h"
 
 #include <OpenImageIO/imageio.h>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <random>
@@ -75,6 +76,40 @@ void write_heights(const std::filesystem::path& file, OIIO::TypeDesc type, const
         << output->geterror();
 }
 
+/// A TIFF of floats, 3 x 2, with GDAL's tags for places without data and the size of a pixel.
+void write_gdal_tiff(const std::filesystem::path& file, const std::vector<float>& values, const std::string& nodata,
+                     double pixel) {
+    std::string bytes = "II*\0";
+    bytes.resize(4);
+    const auto put = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(value)); };
+    constexpr std::uint32_t k_pixels = 8, k_scale = k_pixels + 24, k_directory = k_scale + 24;
+    put(k_directory);
+    for (const float value : values)
+        put(value);
+    for (const double size : {pixel, pixel, 0.0})
+        put(size);
+    struct Entry {
+        std::uint16_t tag, kind;
+        std::uint32_t count, value;
+    };
+    std::uint32_t text = 0;
+    std::memcpy(&text, nodata.c_str(), std::min<std::size_t>(nodata.size() + 1, 4));
+    const Entry entries[] = {
+        {256, 3, 1, 3}, {257, 3, 1, 2},          {258, 3, 1, 32},
+        {259, 3, 1, 1}, {262, 3, 1, 1},          {273, 4, 1, k_pixels},
+        {277, 3, 1, 1}, {278, 3, 1, 2},          {279, 4, 1, 24},
+        {339, 3, 1, 3}, {33550, 12, 3, k_scale}, {42113, 2, static_cast<std::uint32_t>(nodata.size() + 1), text}};
+    put(static_cast<std::uint16_t>(std::size(entries)));
+    for (const Entry& entry : entries) {
+        put(entry.tag);
+        put(entry.kind);
+        put(entry.count);
+        put(entry.value);
+    }
+    put(std::uint32_t{0});
+    std::ofstream(file, std::ios::binary) << bytes;
+}
+
 // The heights of a ground in a scene, as PNG, as a TIFF of floats and as one of whole metres with a sign.
 TEST(HeightPictures, AreReadInFourKindsOfNumbers) {
     const test::OwnFolder folder;
@@ -111,6 +146,28 @@ TEST(HeightPictures, AreReadInFourKindsOfNumbers) {
     ASSERT_TRUE(masked) << masked.error();
     for (std::size_t n = 0; n < shares.size(); ++n)
         EXPECT_NEAR((*masked)[n], shares[n], 1e-6f) << "a transparent height is a height";
+    // Coded in colours, as web maps are; the same grey in three channels is none.
+    write_heights<std::uint8_t>(folder / "coded.png", OIIO::TypeDesc::UINT8,
+                                {1, 1, 1, 5, 5, 5, 7, 7, 7, 9, 9, 9, 1, 134, 160, 2, 2, 2}, 3);
+    EXPECT_NE(read("coded.png").error().find("is a picture of colours, first at row 2, column 2: give heights in one channel"),
+              std::string::npos)
+        << read("coded.png").error();
+    write_heights<std::uint8_t>(folder / "grey.png", OIIO::TypeDesc::UINT8,
+                                {1, 1, 1, 5, 5, 5, 7, 7, 7, 9, 9, 9, 3, 3, 3, 255, 255, 255}, 3);
+    const auto grey = read("grey.png");
+    ASSERT_TRUE(grey) << grey.error();
+    EXPECT_EQ((*grey)[5], 1.0f);
+    // A void of a survey, and what GDAL says beside the pixels of a TIFF: no data, and pixels of 30 m.
+    write_heights<std::int16_t>(folder / "void.tif", OIIO::TypeDesc::INT16, {40, 40, 40, 40, -32768, 40});
+    EXPECT_EQ(*read("void.tif"), std::vector<float>(6, 40.0f));
+    write_gdal_tiff(folder / "gdal.tif", {9.0f, 9.0f, -77.0f, 9.0f, 9.0f, 9.0f}, "-77", 30.0);
+    EXPECT_EQ(*read("gdal.tif"), std::vector<float>(6, 9.0f));
+    const auto told = scene::read_scene(folder / "scene.json", {.heights = pictures::read_heights});
+    ASSERT_EQ(told->warnings.size(), 2u);
+    EXPECT_NE(told->warnings[0].find("has 1 of 6 heights without data, the first at row 1, column 3: they are filled"),
+              std::string::npos)
+        << told->warnings[0];
+    EXPECT_NE(told->warnings[1].find("says that its pixels are 30 x 30"), std::string::npos) << told->warnings[1];
     std::ofstream(folder / "e.raw", std::ios::binary) << std::string("\0\0\xff\xff\x99\x19\1\0", 8);
     const auto raw = read("e.raw");
     ASSERT_TRUE(raw) << raw.error();

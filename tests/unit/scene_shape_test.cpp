@@ -93,6 +93,79 @@ TEST_F(SceneShapes, APictureOfHeightsIsGround) {
     EXPECT_LT(detail::distance_to(hill, {1e5f, 49.9f, -1e5f}), 0.0f) << "beyond the edge";
 }
 
+// Files of heights as surveys and terrain tools write them.
+TEST_F(SceneShapes, HeightsAreReadOfEachKindOfFile) {
+    const auto heights = [&](const std::string& keys) -> Result<std::vector<float>> {
+        const auto scene = read(R"({"shape": {"ground": {)" + keys + "}}}");
+        if (!scene)
+            return Error{scene.error()};
+        return std::get<Ground>(scene->obstacles[0].obstacle.shape).heights->data().heights;
+    };
+    write("words.pgm", "P2\n# as text\n3 2\n100\n0 50 100\n25 0 75\n");
+    EXPECT_EQ(*heights(R"("file": "words.pgm")"), (std::vector<float>{0.0f, 0.5f, 1.0f, 0.25f, 0.0f, 0.75f}));
+    const std::string head = "ncols 3\nnrows 2\nxllcorner 4\nyllcorner 5\ncellsize 10\n";
+    write("grid.asc", head + "1.5 2 -3\n40 5e1 6\n");
+    EXPECT_EQ(*heights(R"("file": "grid.asc")"), (std::vector<float>{1.5f, 2.0f, -3.0f, 40.0f, 50.0f, 6.0f}));
+    const auto told = read(R"({"shape": {"ground": {"file": "grid.asc"}}})");
+    ASSERT_EQ(told->warnings.size(), 1u);
+    EXPECT_NE(told->warnings[0].find("grid.asc says that its pixels are 10 x 10, and a pixel counts as a metre: give \"scale\""),
+              std::string::npos)
+        << told->warnings[0];
+    EXPECT_TRUE(read(R"({"shape": {"ground": {"file": "grid.asc", "scale": [10, 1, 10]}}})")->warnings.empty());
+
+    // Raw numbers, the high byte first.
+    std::string high, low;
+    for (int n = 0; n < 16 * 16; ++n) {
+        const int level = 1000 + 40 * (n % 16) + 30 * (n / 16);
+        high += {static_cast<char>(level >> 8), static_cast<char>(level)};
+        low += {static_cast<char>(level), static_cast<char>(level >> 8)};
+    }
+    write("high.raw", high);
+    write("low.raw", low);
+    EXPECT_EQ(*heights(R"("file": "high.raw", "byte_order": "high_first")"), *heights(R"("file": "low.raw")"));
+    EXPECT_NE(heights(R"("file": "high.raw")")
+                  .error()
+                  .find("is much smoother with the high byte first: give \"byte_order\": "
+                        "\"high_first\"."),
+              std::string::npos);
+    EXPECT_NE(heights(R"("file": "low.raw", "byte_order": "high_first")").error().find("\"low_first\""), std::string::npos);
+
+    for (const auto& [text, sentence] :
+         {std::pair{head + "1 2 3 4 5", "has 5 heights of 6: the next one at row 2, column 3 is missing or no number."},
+          {head + "1 2 x 4 5 6", "the next one at row 1, column 3 is missing"},
+          {std::string("ncols 3\n1 2 3"), "is no ESRI ASCII grid"},
+          {std::string("ncols 1e9 nrows 1e9 cellsize 1 1"), "is no ESRI ASCII grid"},
+          {std::string("word"), "is no ESRI ASCII grid"}}) {
+        write("bad.asc", text);
+        EXPECT_NE(heights(R"("file": "bad.asc")").error().find(sentence), std::string::npos)
+            << heights(R"("file": "bad.asc")").error();
+    }
+    write("short.pgm", "P2 3 2 100 0 50 100 25 7 x");
+    EXPECT_NE(heights(R"("file": "short.pgm")").error().find("has 5 levels of 6"), std::string::npos);
+}
+
+// Places without data, by the file's word or as surveys mark them.
+TEST_F(SceneShapes, MissingHeightsAreFilledAndTold) {
+    std::string head = "ncols 6\nnrows 4\ncellsize 1\nNODATA_value -1\n", rows;
+    for (int n = 0; n < 24; ++n)
+        rows += n == 9 ? "-1 " : n == 10 ? "-32768 " : n == 16 ? "-9999 " : "7.5 ";
+    write("holes.asc", head + rows);
+    const auto scene = read(R"({"shape": {"ground": {"file": "holes.asc"}}})");
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(std::get<Ground>(scene->obstacles[0].obstacle.shape).heights->data().heights, std::vector<float>(24, 7.5f));
+    ASSERT_EQ(scene->warnings.size(), 1u);
+    EXPECT_NE(scene->warnings[0].find("has 3 of 24 heights without data, the first at row 2, column 4: they are filled"),
+              std::string::npos)
+        << scene->warnings[0];
+    std::string most;
+    for (int n = 0; n < 24; ++n)
+        most += n % 4 == 0 ? "-1 " : "7.5 ";
+    write("mostly.asc", head + most);
+    EXPECT_NE(reason(R"({"shape": {"ground": {"file": "mostly.asc"}}})")
+                  .find("has 6 of 24 heights without data, the first at row 1, column 1: fill them"),
+              std::string::npos);
+}
+
 TEST_F(SceneShapes, APictureOfLengthsIsTheGroundsRoughness) {
     write("lengths.pgm", std::string("P5 2 2 255\n\x00\xff\x00\xff", 15));
     const auto air = [&](const std::string& keys) {
@@ -141,7 +214,7 @@ TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
         {mesh(R"("file": "house.obj", "size": 1)"), "$.obstacles[0].shape.mesh.size is not a known key"},
         {mesh(R"("file": "house.obj", "scale": 900000)"), "reaches 1800000 m from its origin: give at most 1e6 m."},
         {R"({"shape": {"ground": {"file": "house.obj"}}})",
-         "house.obj is not a binary PGM of up to 65535 levels: save the image as PGM (P5)."},
+         "house.obj is not a PGM of up to 65535 levels: save the image as PGM (P5)."},
         {R"({"shape": {"ground": {"file": "dot.pgm"}}})",
          "dot.pgm: heightmap.corners is (1, 1): give each component 2 to 16384."},
         {voxels(""), "$.obstacles[0].shape.voxels.file is missing: name a MagicaVoxel file in the scene's folder."},

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -114,6 +115,7 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     static const json k_none = json::object();
     const bool given = document->is_object() && document->contains("picture") && (*document)["picture"].is_object();
     ReadLog log(file.string(), budget, known);
+    log.heights = windrow::pictures::read_heights;
     JsonObject object(given ? (*document)["picture"] : k_none, "$.picture", "$.picture", log);
     const std::vector<std::string> names = path_names(*document);
     const std::filesystem::path folder = file.parent_path();
@@ -127,6 +129,7 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
         judge(scene, object);
     }
     scene.inputs = budget;
+    std::ranges::move(log.take_warnings(), std::back_inserter(scene.air.warnings));
     if (log.faults() > 0)
         return log.error();
     return scene;

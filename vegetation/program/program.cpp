@@ -147,6 +147,8 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     const auto scene = program::read_picture_scene(file);
     if (!scene)
         return complain(scene.error(), 2);
+    for (const std::string& sentence : scene->air.warnings)
+        (void)complain(sentence, 0);
     std::error_code error;
     std::filesystem::create_directories(options.folder, error);
     if (error)

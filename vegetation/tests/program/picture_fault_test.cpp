@@ -168,9 +168,8 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
     EXPECT_EQ(ground(R"("heights": "huge.pgm")"),
               start + "heights is \"huge.pgm\": " + at +
                   "huge.pgm ends early: it has 31 bytes of 9223372028264841249; save it again.");
-    EXPECT_EQ(ground(R"("heights": "text.pgm")"),
-              start + "heights is \"text.pgm\": " + at +
-                  "text.pgm is not a binary PGM of up to 65535 levels: save the image as PGM (P5).");
+    EXPECT_EQ(ground(R"("heights": "text.pgm")"), start + "heights is \"text.pgm\": " + at +
+                                                      "text.pgm is not a PGM of up to 65535 levels: save the image as PGM (P5).");
     EXPECT_EQ(ground(R"("heights": "wide.pgm")"),
               start + "heights is \"wide.pgm\", which has 5000 x 2 pixels: give 2 to 4097 a side.");
     EXPECT_EQ(

@@ -1,0 +1,36 @@
+// Heights in files, as surveys and terrain tools write them: pictures (PGM, and what the program reads besides: PNG, TIFF), ESRI ASCII
+// grids (.asc), squares of whole numbers of 16 bits (.raw, .r16). One reader for grounds, lengths by place and the picture's ground.
+#pragma once
+
+#include "fluid/files/pgm.h"
+#include "scene/json_object.h"
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace windrow::scene {
+
+/// Of whole numbers of 16 bits in a raw file.
+enum class ByteOrder : std::uint8_t { low_first, high_first };
+
+/// Of the key `byte_order` of an object that names a file of heights.
+[[nodiscard]] ByteOrder byte_order(JsonObject& object);
+
+/// Heights, a pixel a metre. Places without data are filled from those beside them, and pixels that are no metre are told, each in a
+/// line of the log's warnings. Rejects files of colours, files of which a fifth has no data, and raw files that the other byte order
+/// makes smooth. `scaled`: the scene says how large a pixel is.
+[[nodiscard]] Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, ByteOrder order,
+                                                     bool scaled, ReadLog& log);
+
+/// What a TIFF says beside its pixels, of GDAL's tags.
+struct TiffTags {
+    std::optional<double> nodata{};    ///< 42113
+    std::optional<glm::dvec2> pixel{}; ///< 33550, of the coordinates: metres, or degrees
+};
+/// None where the bytes are no TIFF, or its directory cannot be read.
+[[nodiscard]] TiffTags tiff_tags(std::string_view bytes);
+
+} // namespace windrow::scene
