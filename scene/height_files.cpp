@@ -161,7 +161,7 @@ bool is_missing(float height, const HeightPicture& picture) {
            (picture.metres && (own == -32768.0 || own == -32767.0 || own == -9999.0 || std::abs(own) > 1e5));
 }
 
-// Each missing height becomes the mean of those beside it that are known, from the rim of the hole inward.
+// Each missing height becomes the mean of its known neighbours, from the edge of the gap inward.
 Result<void> fill(HeightPicture& picture, const std::string& name, ReadLog& log) {
     const glm::ivec2 size = picture.data.corners;
     std::vector<float>& heights = picture.data.heights;
@@ -204,7 +204,7 @@ Result<void> fill(HeightPicture& picture, const std::string& name, ReadLog& log)
     return {};
 }
 
-void tell_pixel(const HeightPicture& picture, const std::string& name, bool scaled, ReadLog& log) {
+void report_pixel(const HeightPicture& picture, const std::string& name, bool scaled, ReadLog& log) {
     if (!picture.pixel || scaled || *picture.pixel == glm::dvec2(1.0))
         return;
     log.warn(message(name, " says that its pixels are ", picture.pixel->x, " x ", picture.pixel->y,
@@ -271,7 +271,7 @@ Result<HeightPicture> read_height_file(std::string_view bytes, const std::string
             picture->pixel = tags.pixel;
         if (auto filled = fill(*picture, name, log); !filled)
             return Error{filled.error()};
-        tell_pixel(*picture, name, scaled, log);
+        report_pixel(*picture, name, scaled, log);
         return picture;
     });
 }

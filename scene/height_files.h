@@ -19,9 +19,9 @@ enum class ByteOrder : std::uint8_t { low_first, high_first };
 /// Of the key `byte_order` of an object that names a file of heights.
 [[nodiscard]] ByteOrder byte_order(JsonObject& object);
 
-/// Heights, a pixel a metre. Places without data are filled from those beside them, and pixels that are no metre are told, each in a
-/// line of the log's warnings. Rejects files of colours, files of which a fifth has no data, and raw files that the other byte order
-/// makes smooth. `scaled`: the scene says how large a pixel is.
+/// Heights, a pixel a metre. Places without data are filled from their neighbours. A line of the log's warnings reports them, and another
+/// one a pixel of another size than a metre. Rejects files of colours, files of which a fifth has no data, and raw files that the other
+/// byte order makes smooth. `scaled`: the scene gives the size of a pixel.
 [[nodiscard]] Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, ByteOrder order,
                                                      bool scaled, ReadLog& log);
 

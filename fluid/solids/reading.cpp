@@ -194,8 +194,8 @@ void ReadingMaker::collect(const Solids& solids) {
     solids.for_each_near([&](std::uint32_t cell, glm::ivec3 place, float away, std::size_t body) {
         std::uint32_t& at = near_of_[cell];
         if (at == k_none) {
-            at = static_cast<std::uint32_t>(near_.size());
-            near_.push_back({.cell = cell, .place = place, .away = away, .body = body});
+            near_.push_back({.cell = cell, .place = place, .away = away, .body = body}); // first: it may lack memory
+            at = static_cast<std::uint32_t>(near_.size() - 1);
         } else if (away < near_[at].away) {
             near_[at].away = away;
             near_[at].body = body;

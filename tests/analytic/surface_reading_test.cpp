@@ -1,4 +1,4 @@
-// What a reader finds beside surfaces: as far as physics has it, the same wherever the grid lies relative to them.
+// What is sampled beside surfaces: where the wind itself is the same, it does not depend on where the surface cuts the cells.
 #include "tests/scenarios.h"
 #include "tests/tier.h"
 #include "tests/winds.h"

@@ -92,12 +92,45 @@ std::vector<Scenario> table() {
                                             .orientation = glm::angleAxis(0.5f, glm::vec3(0.0f, 1.0f, 0.0f)),
                                             .shape = Plate{{3.0f, 3.0f}}}));
              }});
+    rows.push_back({.name = "thin_wall_on_a_rough_floor_in_gusts",
+                    .config =
+                        [](Config& config) {
+                            rough(config);
+                            config.gusts.intensity = 0.2f;
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add({.position = {0.3, 1.4, 0.2},
+                                                       .orientation = glm::angleAxis(0.7f, glm::vec3(0.0f, 1.0f, 0.0f)),
+                                                       .shape = Block{{0.15f, 2.0f, 4.0f}}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.follow({0.23 * n, 0.0, 0.19 * n}));
+                        }});
+    rows.push_back({.name = "house_on_hills_in_a_closed_box",
+                    .config =
+                        [](Config& config) {
+                            rough(config);
+                            config.boundaries = Boundaries::all(BoundaryKind::free_slip);
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add(test::detail::hills({-40.0, 0.2, -40.0})));
+                            must(wind.obstacles().add(house({-5.0, 2.0, 1.0})));
+                            must(wind.motors().add(DirectionalMotor{.position = {2.0, 3.0, 0.0}}));
+                        }});
     return rows;
 }
 
 class SurfaceReadings : public WindShader, public testing::WithParamInterface<Scenario> {
   protected:
-    void SetUp() override { share_device(false); }
+    void SetUp() override {
+        share_device(false);
+        if (GetParam().config)
+            GetParam().config(config);
+    }
+    Config config = test::scenario_config();
 
     // Where plants stand, and all around: relative to the anchor.
     static std::vector<glm::vec4> places(const windrow::Wind& wind, glm::dvec3 anchor) {
@@ -137,9 +170,6 @@ class SurfaceReadings : public WindShader, public testing::WithParamInterface<Sc
 
 TEST_P(SurfaceReadings, AreThoseOfTheCpu) {
     const Scenario& row = GetParam();
-    Config config = test::scenario_config();
-    if (row.config)
-        row.config(config);
     auto cpu = windrow::Wind::create(config);
     auto gpu =
         Wind::create(sharing_host(), config, {.texel = Texel::single, .textures = TextureSet::both, .queries = ReadBack::cells});
@@ -218,9 +248,6 @@ TEST_P(SurfaceReadings, AreThoseOfTheCpu) {
 
 TEST_P(SurfaceReadings, OfEachKindOfQueryAgree) {
     const Scenario& row = GetParam();
-    Config config = test::scenario_config();
-    if (row.config)
-        row.config(config);
     auto cpu = windrow::Wind::create(config);
     ASSERT_TRUE(cpu);
     const int rows = config.rows ? config.cells.y : config.cells.y - 2; // a part without the floor
@@ -263,7 +290,7 @@ TEST_P(SurfaceReadings, OfEachKindOfQueryAgree) {
         const glm::vec3 u = cpu->velocity(points[n]);
         fastest = std::max(fastest, difference(glm::vec4(u, 0.0f), glm::vec3(0.0f)));
         halves = std::max(halves, difference(glm::vec4(winds[0].velocity(points[n]), 0.0f), u));
-        if (config.rows || points[n].y > cpu->origin().y + 6.0) // cells at its rim lack air beyond
+        if (config.rows || points[n].y > cpu->origin().y + 6.0) // cells at its faces lack the air beyond
             box = std::max(box, difference(glm::vec4(winds[1].velocity(points[n]), 0.0f), u));
         at_points = std::max(at_points, difference(asked->velocities[n], u));
     }

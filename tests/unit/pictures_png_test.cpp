@@ -162,12 +162,12 @@ TEST(HeightPictures, AreReadInFourKindsOfNumbers) {
     EXPECT_EQ(*read("void.tif"), std::vector<float>(6, 40.0f));
     write_gdal_tiff(folder / "gdal.tif", {9.0f, 9.0f, -77.0f, 9.0f, 9.0f, 9.0f}, "-77", 30.0);
     EXPECT_EQ(*read("gdal.tif"), std::vector<float>(6, 9.0f));
-    const auto told = scene::read_scene(folder / "scene.json", {.heights = pictures::read_heights});
-    ASSERT_EQ(told->warnings.size(), 2u);
-    EXPECT_NE(told->warnings[0].find("has 1 of 6 heights without data, the first at row 1, column 3: they are filled"),
+    const auto reported = scene::read_scene(folder / "scene.json", {.heights = pictures::read_heights});
+    ASSERT_EQ(reported->warnings.size(), 2u);
+    EXPECT_NE(reported->warnings[0].find("has 1 of 6 heights without data, the first at row 1, column 3: they are filled"),
               std::string::npos)
-        << told->warnings[0];
-    EXPECT_NE(told->warnings[1].find("says that its pixels are 30 x 30"), std::string::npos) << told->warnings[1];
+        << reported->warnings[0];
+    EXPECT_NE(reported->warnings[1].find("says that its pixels are 30 x 30"), std::string::npos) << reported->warnings[1];
     std::ofstream(folder / "e.raw", std::ios::binary) << std::string("\0\0\xff\xff\x99\x19\1\0", 8);
     const auto raw = read("e.raw");
     ASSERT_TRUE(raw) << raw.error();

@@ -106,11 +106,12 @@ TEST_F(SceneShapes, HeightsAreReadOfEachKindOfFile) {
     const std::string head = "ncols 3\nnrows 2\nxllcorner 4\nyllcorner 5\ncellsize 10\n";
     write("grid.asc", head + "1.5 2 -3\n40 5e1 6\n");
     EXPECT_EQ(*heights(R"("file": "grid.asc")"), (std::vector<float>{1.5f, 2.0f, -3.0f, 40.0f, 50.0f, 6.0f}));
-    const auto told = read(R"({"shape": {"ground": {"file": "grid.asc"}}})");
-    ASSERT_EQ(told->warnings.size(), 1u);
-    EXPECT_NE(told->warnings[0].find("grid.asc says that its pixels are 10 x 10, and a pixel counts as a metre: give \"scale\""),
-              std::string::npos)
-        << told->warnings[0];
+    const auto reported = read(R"({"shape": {"ground": {"file": "grid.asc"}}})");
+    ASSERT_EQ(reported->warnings.size(), 1u);
+    EXPECT_NE(
+        reported->warnings[0].find("grid.asc says that its pixels are 10 x 10, and a pixel counts as a metre: give \"scale\""),
+        std::string::npos)
+        << reported->warnings[0];
     EXPECT_TRUE(read(R"({"shape": {"ground": {"file": "grid.asc", "scale": [10, 1, 10]}}})")->warnings.empty());
 
     // Raw numbers, the high byte first.
@@ -145,7 +146,7 @@ TEST_F(SceneShapes, HeightsAreReadOfEachKindOfFile) {
 }
 
 // Places without data, by the file's word or as surveys mark them.
-TEST_F(SceneShapes, MissingHeightsAreFilledAndTold) {
+TEST_F(SceneShapes, MissingHeightsAreFilledAndReported) {
     std::string head = "ncols 6\nnrows 4\ncellsize 1\nNODATA_value -1\n", rows;
     for (int n = 0; n < 24; ++n)
         rows += n == 9 ? "-1 " : n == 10 ? "-32768 " : n == 16 ? "-9999 " : "7.5 ";
