@@ -168,12 +168,9 @@ std::shared_ptr<const SurfaceReading> ReadingMaker::make(const Solids* solids, c
     for (const Near& near : near_)
         near_of_[near.cell] = k_none;
     near_.clear();
-    order_.clear();
-    if (solids != nullptr) {
+    heights_.clear();
+    if (solids != nullptr)
         collect(*solids);
-        for (const std::uint32_t n : order_)
-            fill(*solids, near_[n], reading);
-    }
     if (law_.acts()) {
         per_heights_.clear();
         const bool floor = box_.boundaries.y_low.kind == BoundaryKind::free_slip && !depends_on_place();
@@ -183,9 +180,11 @@ std::shared_ptr<const SurfaceReading> ReadingMaker::make(const Solids* solids, c
         }
         find_heights(solids, window, reading);
     }
+    for (std::uint32_t n = 0; n < near_.size(); ++n)
+        visit(*solids, n, reading);
     write_cells(reading);
     const auto spare = [](auto&... lists) { (detail::make_room(lists, lists.size() + lists.size() / 4), ...); };
-    spare(reading.cells_, reading.terms_, reading.walls_, near_, order_);
+    spare(reading.cells_, reading.terms_, reading.walls_, near_);
     return reading.empty() ? nullptr : *unused;
 }
 
@@ -201,11 +200,20 @@ void ReadingMaker::collect(const Solids& solids) {
             near_[at].body = body;
         }
     });
-    for (std::uint32_t n = 0; n < near_.size(); ++n)
-        order_.push_back(n);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(-near_[a].away, near_[a].cell) < std::pair(-near_[b].away, near_[b].cell);
-    });
+}
+
+// After those farther out, from which it takes air and height.
+void ReadingMaker::visit(const Solids& solids, std::uint32_t number, SurfaceReading& reading) {
+    if (std::exchange(near_[number].done, true))
+        return;
+    Near& near = near_[number];
+    Source sources[6];
+    const std::span<const Source> farther(sources, static_cast<std::size_t>(find_sources(solids, near, sources)));
+    for (const Source& source : farther)
+        visit(solids, near_of_[source.cell], reading);
+    if (!heights_.empty() && solids.inside(near.cell) && stands(solids.bodies()[near.body]))
+        extend_height(solids, near, farther);
+    fill(solids, near, farther, reading);
 }
 
 // In near_, or k_none.
@@ -286,9 +294,12 @@ glm::vec3 ReadingMaker::velocity_of(const PlacedObstacle& body, glm::vec3 place)
     return body.velocity_at(place);
 }
 
-void ReadingMaker::fill(const Solids& solids, Near& near, SurfaceReading& reading) {
+void ReadingMaker::fill(const Solids& solids, Near& near, std::span<const Source> sources, SurfaceReading& reading) {
+    const float row = box_.volume(near.place.y), most = std::max(row, 1.0f);
+    if (near.away >= 0.5f * most || near.away <= -k_deepest * most)
+        return;
     find_normal(near);
-    const float thickness = 1.0f + (box_.volume(near.place.y) - 1.0f) * near.normal.y * near.normal.y;
+    const float thickness = 1.0f + (row - 1.0f) * near.normal.y * near.normal.y;
     if (near.away >= 0.5f * thickness || near.away <= -k_deepest * thickness || near.normal == glm::vec3(0.0f))
         return;
     auto& terms = reading.terms_;
@@ -301,19 +312,17 @@ void ReadingMaker::fill(const Solids& solids, Near& near, SurfaceReading& readin
         else
             same->weight += weight;
     };
-    Source sources[6];
-    const int count = find_sources(solids, near, sources);
     float sum = 0.0f;
-    for (int n = 0; n < count; ++n) {
-        const Near& from = near_[near_of_[sources[n].cell]];
+    for (const Source& source : sources) {
+        const Near& from = near_[near_of_[source.cell]];
         if (from.count == 0 && (from.away <= 0.0f || solids.inside(from.cell)))
             continue; // no air reaches it
-        sum += sources[n].weight;
+        sum += source.weight;
         if (from.count == 0)
-            add(from.cell, sources[n].weight);
+            add(from.cell, source.weight);
         for (std::uint32_t m = from.first; m < from.first + from.count; ++m) {
             const SurfaceReading::Term term = terms[m];
-            add(term.cell, sources[n].weight * term.weight);
+            add(term.cell, source.weight * term.weight);
         }
     }
     if (!(sum > 0.0f))
@@ -373,10 +382,8 @@ void ReadingMaker::find_heights(const Solids* solids, const Window& window, cons
             for (int i = 0; i < cells.x; ++i)
                 per_heights_.push_back(1.0f / (law_.per_length * roughness_at(*config_.roughness, window.centre(i, 0, k))));
     }
-    if (solids == nullptr && per_heights_.empty()) {
-        heights_.clear();
+    if (solids == nullptr && per_heights_.empty())
         return;
-    }
     heights_.resize(box_.cell_count());
     const bool floor = box_.boundaries.y_low.kind == BoundaryKind::free_slip;
     for (int k = 0; k < cells.z; ++k)
@@ -390,7 +397,6 @@ void ReadingMaker::find_heights(const Solids* solids, const Window& window, cons
     for (int k = 0; k < cells.z; ++k)
         for (int i = 0; i < cells.x; ++i)
             find_column(*solids, i, k, per_height_at(i, k));
-    extend_heights(*solids);
 }
 
 // Heights of a column's air over what is below it.
@@ -424,29 +430,21 @@ void ReadingMaker::find_column(const Solids& solids, int i, int k, float per_hei
     }
 }
 
-// Below surfaces: over a ground the height itself, elsewhere as the cells farther out have it.
-void ReadingMaker::extend_heights(const Solids& solids) {
-    for (const std::uint32_t n : order_) {
-        const Near& near = near_[n];
-        const PlacedObstacle& body = solids.bodies()[near.body];
-        if (!solids.inside(near.cell) || !stands(body))
-            continue;
-        const float per_height = per_height_at(near.place.x, near.place.z);
-        float& height = heights_[near.cell];
-        if (is_upright_ground(body)) {
-            height = kept(near.away * box_.cell_size, per_height);
-            continue;
-        }
-        Source sources[6];
-        const int count = find_sources(solids, near, sources);
-        float sum = 0.0f, weights = 0.0f;
-        for (int m = 0; m < count; ++m) {
-            sum += sources[m].weight * (heights_[sources[m].cell] - per_height * sources[m].rise);
-            weights += sources[m].weight;
-        }
-        if (weights > 0.0f)
-            height = std::min(sum / weights, law_.reach);
+// Below a surface: over a ground the height itself, elsewhere as the cells farther out have it.
+void ReadingMaker::extend_height(const Solids& solids, const Near& near, std::span<const Source> sources) {
+    const float per_height = per_height_at(near.place.x, near.place.z);
+    float& height = heights_[near.cell];
+    if (is_upright_ground(solids.bodies()[near.body])) {
+        height = kept(near.away * box_.cell_size, per_height);
+        return;
     }
+    float sum = 0.0f, weights = 0.0f;
+    for (const Source& source : sources) {
+        sum += source.weight * (heights_[source.cell] - per_height * source.rise);
+        weights += source.weight;
+    }
+    if (weights > 0.0f)
+        height = std::min(sum / weights, law_.reach);
 }
 
 // All cells that are not shown as their rows are, in order.
@@ -473,17 +471,19 @@ void ReadingMaker::write_cells(SurfaceReading& reading) {
             }
         return;
     }
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return near_[a].cell < near_[b].cell; });
-    for (const std::uint32_t n : order_)
-        if (near_[n].count > 0)
-            write(near_[n].cell, &near_[n], 0.0f);
+    for (const Near& near : near_)
+        if (near.count > 0)
+            write(near.cell, &near, 0.0f);
+    const auto in_order = [](const SurfaceReading::Cell& a, const SurfaceReading::Cell& b) { return a.cell < b.cell; };
+    if (!std::is_sorted(reading.cells_.begin(), reading.cells_.end(), in_order)) // those of one body are
+        std::sort(reading.cells_.begin(), reading.cells_.end(), in_order);
 }
 
 std::size_t ReadingMaker::memory_bytes() const {
     std::size_t made = 0;
     for (const auto& reading : made_)
         made += reading->memory_bytes();
-    return made + near_.capacity() * sizeof(Near) + (order_.capacity() + near_of_.capacity()) * sizeof(std::uint32_t) +
+    return made + near_.capacity() * sizeof(Near) + near_of_.capacity() * sizeof(std::uint32_t) +
            (heights_.capacity() + per_heights_.capacity()) * sizeof(float);
 }
 

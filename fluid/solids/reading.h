@@ -137,6 +137,7 @@ class WINDROW_INTERNAL ReadingMaker {
         std::size_t body;
         glm::vec3 normal{0.0f};
         std::uint32_t first = 0, count = 0, wall = 0; ///< as SurfaceReading::Cell
+        bool done = false;                            ///< visited
     };
     /// Air farther out beside a near cell.
     struct Source {
@@ -150,10 +151,11 @@ class WINDROW_INTERNAL ReadingMaker {
     [[nodiscard]] float apart(int row, int axis, int side) const;
     void find_normal(Near& near) const;
     [[nodiscard]] int find_sources(const Solids& solids, const Near& near, Source (&sources)[6]) const;
-    void fill(const Solids& solids, Near& near, SurfaceReading& reading);
+    void visit(const Solids& solids, std::uint32_t number, SurfaceReading& reading);
+    void fill(const Solids& solids, Near& near, std::span<const Source> sources, SurfaceReading& reading);
     void find_heights(const Solids* solids, const Window& window, const SurfaceReading& reading);
     void find_column(const Solids& solids, int i, int k, float per_height);
-    void extend_heights(const Solids& solids);
+    void extend_height(const Solids& solids, const Near& near, std::span<const Source> sources);
     [[nodiscard]] float per_height_at(int i, int k) const;
     void write_cells(SurfaceReading& reading);
     [[nodiscard]] float raise_of(float height) const;
@@ -166,7 +168,6 @@ class WINDROW_INTERNAL ReadingMaker {
     WallLaw law_;
     std::vector<std::shared_ptr<SurfaceReading>> made_;
     std::vector<Near> near_;
-    std::vector<std::uint32_t> order_;   ///< of near_, the farthest out first
     std::vector<std::uint32_t> near_of_; ///< one a cell: in near_, or k_none
     std::vector<float> heights_;         ///< one a cell, of wall_law.glsl; with a law, and with obstacles or lengths by place
     std::vector<float> per_heights_;     ///< one a column: of wall_law.glsl over heights; empty: 1
