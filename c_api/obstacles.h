@@ -46,6 +46,9 @@ enum {
     WINDROW_SHAPE_VOXELS = 6,
     WINDROW_SHAPE_GROUND = 7
 };
+/* Made by ./dev schema from Beyond. */
+typedef int32_t windrow_beyond;
+enum { WINDROW_BEYOND_EDGE = 0, WINDROW_BEYOND_NOTHING = 1 };
 /* Made by the functions below; fields of other kinds are not read. */
 typedef struct windrow_shape {
     windrow_shape_kind kind;
@@ -55,7 +58,7 @@ typedef struct windrow_shape {
     windrow_vec3 half_size; /* [m] block; plate: x and y */
     windrow_vec3 half_axis; /* [m] capsule */
     windrow_vec3 scale;     /* ground; mesh: x */
-    uint32_t reserved;      /* 0 */
+    windrow_beyond beyond;  /* ground: nothing makes it a tile (docs/obstacles.md, "Ground"); as made: edge */
     const windrow_mesh* mesh;
     const windrow_voxels* voxels;
     const windrow_height_map* heights; /* ground */

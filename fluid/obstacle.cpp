@@ -10,6 +10,7 @@
 #include <compare>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace windrow {
 namespace detail {
@@ -53,9 +54,17 @@ float distance(const VoxelShape& shape, glm::vec3 p, float most) {
     return shape.cell_size * shape.grid->distance_to(in_grid(shape, p), most / shape.cell_size);
 }
 
-// The height over it: the surface may be nearer.
+// The height over it: the surface may be nearer. From its end, the distance.
 float distance(const Ground& shape, glm::vec3 p, float) {
-    return p.y - height_at(shape, p);
+    const float height = p.y - height_at(shape, p);
+    if (shape.beyond == Beyond::edge)
+        return height;
+    const glm::vec2 size = extent_across(shape), at(p.x, p.z);
+    const glm::vec2 beyond = glm::max(-at, at - size); // below 0: before its ends
+    const float outside = glm::length(glm::max(beyond, 0.0f));
+    if (outside > 0.0f)
+        return height > 0.0f ? glm::length(glm::vec2(outside, height)) : outside;
+    return std::max(height, std::max(beyond.x, beyond.y));
 }
 
 glm::vec3 extent(const Sphere& ball) {
@@ -80,13 +89,29 @@ glm::vec3 extent(const VoxelShape& shape) {
     return 0.5f * shape.cell_size * glm::vec3(shape.grid->data().cells);
 }
 
-glm::vec3 extent(const Ground&) {
-    return glm::vec3(k_everywhere);
+glm::vec3 extent(const Ground& ground) {
+    const glm::vec2 across = glm::min(extent_across(ground), k_everywhere);
+    return {across.x, k_everywhere, across.y};
+}
+
+Extent own_extent(const auto& shape) {
+    const glm::vec3 half = extent(shape);
+    return {-half, half};
+}
+Extent own_extent(const Ground& ground) {
+    Extent result = {glm::vec3(-k_everywhere), extent(ground)};
+    if (ground.beyond == Beyond::nothing)
+        result.low.x = result.low.z = 0.0f;
+    return result;
 }
 
 float least_thickness(const auto& shape) {
     const glm::vec3 half = extent(shape);
     return 2.0f * std::min({half.x, half.y, half.z});
+}
+float least_thickness(const Ground& ground) {
+    const glm::vec3 size = extent(ground);
+    return std::min(size.x, size.z);
 }
 float least_thickness(const Capsule& capsule) {
     return 2.0f * capsule.radius;
@@ -137,6 +162,9 @@ std::partial_ordering compare(const glm::vec<Count, float>& a, const glm::vec<Co
 std::partial_ordering compare(float a, float b) {
     return a <=> b;
 }
+std::partial_ordering compare(Beyond a, Beyond b) {
+    return a <=> b;
+}
 template <class Content>
 std::partial_ordering compare(const std::shared_ptr<const Content>& a, const std::shared_ptr<const Content>& b) {
     return *a <=> *b;
@@ -158,12 +186,42 @@ std::partial_ordering compare(const Shape& a, const Shape& b) {
 
 } // namespace
 
+glm::vec2 extent_across(const Ground& ground) {
+    return ground.beyond == Beyond::edge ? glm::vec2(std::numeric_limits<float>::infinity())
+                                         : ground.heights->extent() * glm::vec2(ground.scale.x, ground.scale.z);
+}
+
 float height_at(const Ground& ground, glm::vec3 point) {
     const glm::vec3 size = ground.scale;
     return size.y * ground.heights->height(glm::vec2(point.x, point.z) / glm::vec2(size.x, size.z));
 }
 
-float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to) {
+namespace {
+
+// The parts of the way from a place to another that are within a ground's ends; from more than to: none.
+glm::vec2 part_within(const Ground& ground, glm::vec2 from, glm::vec2 to) {
+    glm::vec2 part(0.0f, 1.0f);
+    const glm::vec2 size = extent_across(ground), way = to - from;
+    for (int axis = 0; axis < 2 && ground.beyond == Beyond::nothing; ++axis) {
+        if (way[axis] == 0.0f) {
+            if (from[axis] < 0.0f || from[axis] > size[axis])
+                return {1.0f, 0.0f};
+            continue;
+        }
+        const float a = -from[axis] / way[axis], b = (size[axis] - from[axis]) / way[axis];
+        part = {std::max(part.x, std::min(a, b)), std::min(part.y, std::max(a, b))};
+    }
+    return part;
+}
+
+} // namespace
+
+float least_rise(const Ground& ground, glm::vec3 begin, glm::vec3 end) {
+    const glm::vec2 part = part_within(ground, {begin.x, begin.z}, {end.x, end.z});
+    if (part.x > part.y)
+        return std::numeric_limits<float>::infinity();
+    const glm::vec3 from = part.x > 0.0f ? glm::mix(begin, end, part.x) : begin,
+                    to = part.y < 1.0f ? glm::mix(begin, end, part.y) : end;
     const numerics::WindrowGrid grid = ground.heights->grid();
     const glm::vec2 texel = grid.spacing * glm::vec2(ground.scale.x, ground.scale.z);
     const glm::vec2 start = glm::vec2(from.x, from.z) / texel, way = glm::vec2(to.x, to.z) / texel - start;
@@ -201,7 +259,10 @@ float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to) {
 
 glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance) {
     const glm::vec2 size(ground.scale.x, ground.scale.z), at(point.x, point.z);
-    return ground.scale.y * ground.heights->range((at - distance) / size, (at + distance) / size);
+    glm::vec2 range = ground.scale.y * ground.heights->range((at - distance) / size, (at + distance) / size);
+    if (glm::any(glm::lessThan(glm::min(at, extent_across(ground) - at), glm::vec2(distance))))
+        range.x = -k_everywhere;
+    return range;
 }
 
 float distance_to(const Shape& shape, glm::vec3 point, float most) {
@@ -221,6 +282,17 @@ glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step) {
 
 glm::vec3 half_extent(const Shape& shape) {
     return std::visit([](const auto& kind) { return extent(kind); }, shape);
+}
+
+Extent extent_of(const PlacedObstacle& obstacle) {
+    const Extent own = std::visit([](const auto& kind) { return own_extent(kind); }, obstacle.shape);
+    Extent result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::vec3 a = obstacle.axes[axis] * own.low[axis], b = obstacle.axes[axis] * own.high[axis];
+        result.low += glm::min(a, b);
+        result.high += glm::max(a, b);
+    }
+    return result;
 }
 
 float thickness(const Shape& shape) {

@@ -97,13 +97,25 @@ struct VoxelShape {
     }
 };
 
-/// All that is below a height map, to any depth. Its edge goes on outward, so that it ends nowhere. The position is that of height 0 at
-/// the map's first corner. Upright, it takes less time than turned about a level axis.
+/// What is beyond the edge of a ground's height map.
+enum class Beyond : std::uint8_t {
+    edge,    ///< The ground goes on as on its edge, so that it ends nowhere. The default: one map for the whole world.
+    nothing, ///< It ends in an upright face along its outermost corners: one tile of several.
+};
+template <>
+inline constexpr std::array<const char*, 2> k_words<Beyond>{"edge", "nothing"};
+
+/// All that is below a height map, to any depth. The position is that of height 0 at the map's first corner. Upright, it takes less
+/// time than turned about a level axis.
+///
+/// Upright grounds at rest with `nothing` beyond are tiles of one surface: where two meet or overlap, the higher counts, and no wall
+/// is between them. They come, go and are replaced while the wind runs; one that has not come yet leaves a gap, with walls about it.
 struct Ground {
     static constexpr const char* k_name = "ground";
-    static constexpr const char* k_meaning = "All below a height map, beyond its edge too: hills, a valley, a dam.";
+    static constexpr const char* k_meaning = "All below a height map: hills, a valley, a dam.";
     std::shared_ptr<const HeightMap> heights{}; ///< null is rejected
     glm::vec3 scale{1.0f};
+    Beyond beyond = Beyond::edge;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -116,6 +128,9 @@ struct Ground {
                 "the position."),
             Setting("scale", &Ground::scale, {1e-3, 1e5},
                     "Factor on its size along x, y and z: the metres of a pixel, and the metres of white over black."),
+            Setting("beyond", &Ground::beyond,
+                    "What is beyond the edge of its heights. edge: they go on as on it. nothing: it ends there; such grounds, "
+                    "upright and at rest, are the tiles of one surface, whose higher one counts where two meet."),
         };
     }
 };
@@ -183,16 +198,23 @@ using windrow::PlacedObstacle;
                                             float most = std::numeric_limits<float>::infinity());
 /// Unit vector out of the shape's surface at a point near it, from distances at `step` [m] on either side; zero where they are equal.
 [[nodiscard]] WINDROW_API glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
-/// [m] Half the size of the box along the shape's own axes that holds it.
+/// [m] Half the size of the box along the shape's own axes, about its origin, that holds it.
 [[nodiscard]] WINDROW_API glm::vec3 half_extent(const Shape& shape);
-/// [m] Of the ground under a point in its own axes.
+/// Box [m] along the world's axes that holds it, from its position.
+struct Extent {
+    glm::vec3 low{0.0f}, high{0.0f};
+};
+[[nodiscard]] WINDROW_API Extent extent_of(const PlacedObstacle& obstacle);
+/// [m] Along its own x and z, from its position; infinite where it goes on beyond its edge.
+[[nodiscard]] WINDROW_API glm::vec2 extent_across(const Ground& ground);
+/// [m] Of the ground under a point in its own axes; beyond the edge as on it.
 [[nodiscard]] WINDROW_API float height_at(const Ground& ground, glm::vec3 point);
-/// [m] Least height over the ground along the line between two points in its own axes, below 0 where the line is under it. Exact:
-/// within a texel the height over a bilinear surface is a quadratic of the way.
+/// [m] Least height over the ground along the line between two points in its own axes, below 0 where the line is under it; infinite
+/// where no part of the line is over it. Exact: within a texel the height over a bilinear surface is a quadratic of the way.
 [[nodiscard]] WINDROW_API float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to);
 /// A line whose least rise is at most this fraction of its length touches the ground.
 inline constexpr float k_touches_ground = 1e-4f;
-/// [m] Lowest and highest of the ground within a distance of a point, or of more.
+/// [m] Lowest and highest of the ground within a distance of a point, or of more; where it ends, the lowest is that of its depth.
 [[nodiscard]] WINDROW_API glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance);
 /// Places obstacles as they are `early` [s] before the end of the step.
 WINDROW_API void move_back(std::span<PlacedObstacle> obstacles, double early);

@@ -62,14 +62,12 @@ PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const Bod
 }
 
 bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundaries& boundaries) {
-    const glm::vec3 own = detail::half_extent(obstacle.shape);
-    glm::vec3 half(k_margin_cells * window.cell_size);
-    for (int axis = 0; axis < 3; ++axis)
-        half += glm::abs(obstacle.axes[axis]) * own[axis];
+    const detail::Extent extent = detail::extent_of(obstacle);
+    const glm::vec3 margin(k_margin_cells * window.cell_size), low = extent.low - margin, high = extent.high + margin;
     const glm::vec3 size(window.size());
     for (int axis = 0; axis < 3; ++axis)
         if (!boundaries.periodic(axis) &&
-            (obstacle.position[axis] + half[axis] < 0.0f || obstacle.position[axis] - half[axis] > size[axis]))
+            (obstacle.position[axis] + high[axis] < 0.0f || obstacle.position[axis] + low[axis] > size[axis]))
             return false;
     return true;
 }

@@ -48,7 +48,7 @@ inline ObstacleId obstacle_id(std::uint32_t slot = 0) {
 
 enum class Way { rests, moves, turns };
 
-namespace detail {
+namespace scenario_parts {
 
 struct NamedShape {
     const char* name;
@@ -92,26 +92,34 @@ inline Scenario obstacle_scenario(const NamedShape& kind, Way way, glm::dvec3 at
     return row;
 }
 
+/// A tile of the same kind of hills, from a place along x and z to another; all tiles are of one surface.
+inline Obstacle tile_of_hills(glm::ivec2 low, glm::ivec2 high, double raised = 0.0) {
+    const auto heights = heights_of(high - low + 1, 1.0f, [=](double x, double z) {
+        return 1.5 + raised + 1.5 * std::sin(0.3 * (x + low.x)) * std::cos(0.4 * (z + low.y));
+    });
+    return {.position = {low.x, -4.0, low.y}, .shape = Ground{.heights = heights, .beyond = Beyond::nothing}};
+}
+
 inline Obstacle hills(glm::dvec3 corner = {-40.0, -4.0, -40.0}) {
     return {.position = corner, .shape = Ground{heights_of({81, 81}, 1.0f, [](double x, double z) {
                                     return 1.5 + 1.5 * std::sin(0.3 * x) * std::cos(0.4 * z);
                                 })}};
 }
 
-} // namespace detail
+} // namespace scenario_parts
 
 /// Each feature alone. Not `whole`: of the shapes in turn one that rests, one that moves and one that turns.
 inline std::vector<Scenario> scenarios(bool whole) {
-    using detail::must;
+    using scenario_parts::must;
     std::vector<Scenario> rows;
     int number = 0;
-    for (const detail::NamedShape& shape : detail::scenario_shapes()) {
+    for (const scenario_parts::NamedShape& shape : scenario_parts::scenario_shapes()) {
         for (const Way way : {Way::rests, Way::moves, Way::turns})
             if (whole || static_cast<int>(way) == number % 3)
-                rows.push_back(detail::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0}));
+                rows.push_back(scenario_parts::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0}));
         ++number;
     }
-    rows.push_back({.name = "hills", .begin = [](WindControl& wind) { must(wind.obstacles().add(detail::hills())); }});
+    rows.push_back({.name = "hills", .begin = [](WindControl& wind) { must(wind.obstacles().add(scenario_parts::hills())); }});
     rows.push_back({.name = "hills_in_rows",
                     .config =
                         [](Config& c) {
@@ -120,7 +128,21 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         },
                     .begin =
                         [](WindControl& wind) {
-                            must(wind.obstacles().add(detail::hills({-40.0, 0.0, -40.0})));
+                            must(wind.obstacles().add(scenario_parts::hills({-40.0, 0.0, -40.0})));
+                        }});
+    rows.push_back({.name = "tiles",
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add(scenario_parts::tile_of_hills({-40, -40}, {1, 40})));
+                            must(wind.obstacles().add(scenario_parts::tile_of_hills({1, 3}, {40, 40})));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.follow(glm::dvec3(0.15, 0.0, -0.1) * (n + 1.0)));
+                            if (n == 6) // one that comes late, and one that is replaced
+                                must(wind.obstacles().add(scenario_parts::tile_of_hills({1, -40}, {40, 3})));
+                            if (n == 9)
+                                must(wind.obstacles().set(obstacle_id(1), scenario_parts::tile_of_hills({1, 3}, {40, 40}, 0.4)));
                         }});
     rows.push_back({.name = "floor", .config = [](Config& c) { c.boundaries = Boundaries::open_over_floor(); }});
     rows.push_back({.name = "profile", .config = [](Config& c) { c.profile = LogProfile{}; }});
@@ -209,7 +231,8 @@ inline std::vector<Scenario> scenarios(bool whole) {
                     .steps = 40, // its sources take a software device half a second each
                     .chaotic = true});
     // A drive is what moves the air fastest: how far reads reach past a body of 3.4 cells counts it.
-    Scenario driven = detail::obstacle_scenario({"block_beside_drives", Block{{2.0f, 2.5f, 1.7f}}}, Way::moves, {-4.0, 0.3, 2.0});
+    Scenario driven =
+        scenario_parts::obstacle_scenario({"block_beside_drives", Block{{2.0f, 2.5f, 1.7f}}}, Way::moves, {-4.0, 0.3, 2.0});
     driven.begin = [placed = driven.begin](WindControl& wind) {
         placed(wind);
         must(wind.motors().add(DirectionalMotor{}));
@@ -234,15 +257,15 @@ inline std::vector<Scenario> scenarios(bool whole) {
 /// Some features at once: obstacles of two kinds that rest, move or turn, and others by chance.
 inline std::vector<Scenario> random_scenarios(int count) {
     std::vector<Scenario> rows;
-    const auto shapes = detail::scenario_shapes();
+    const auto shapes = scenario_parts::scenario_shapes();
     for (int number = 0; number < count; ++number) {
         std::mt19937 random(1000 + static_cast<unsigned>(number));
         const auto pick = [&](std::size_t most) { return random() % most; };
         std::vector<Scenario> parts;
         const auto& first = shapes[pick(shapes.size())];
         const auto& second = shapes[pick(shapes.size())];
-        parts.push_back(detail::obstacle_scenario(first, static_cast<Way>(pick(3)), {-4.0, 0.3, 2.0}, 0));
-        parts.push_back(detail::obstacle_scenario(second, static_cast<Way>(pick(3)), {4.0, -0.4, -2.5}, 1));
+        parts.push_back(scenario_parts::obstacle_scenario(first, static_cast<Way>(pick(3)), {-4.0, 0.3, 2.0}, 0));
+        parts.push_back(scenario_parts::obstacle_scenario(second, static_cast<Way>(pick(3)), {4.0, -0.4, -2.5}, 1));
         for (Scenario& row : scenarios(false))
             for (const char* const name : {"profile", "gusts", "rough_ground", "canopy", "rows", "directional", "omni", "vortex",
                                            "jet", "pressure", "turning_wind"})

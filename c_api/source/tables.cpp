@@ -163,9 +163,12 @@ void read_rest(Reasons& reasons, const Path& path, const windrow_shape& from, Sh
     case WINDROW_SHAPE_VOXELS:
         to = VoxelShape{from.voxels != nullptr ? from.voxels->grid : nullptr, from.cell_size};
         return;
-    case WINDROW_SHAPE_GROUND:
-        to = Ground{from.heights != nullptr ? from.heights->map : nullptr, to_cpp(from.scale)};
+    case WINDROW_SHAPE_GROUND: {
+        Ground ground{from.heights != nullptr ? from.heights->map : nullptr, to_cpp(from.scale)};
+        if (read_choice(reasons, Path{&path, "beyond"}, from.beyond, ground.beyond))
+            to = ground;
         return;
+    }
     default:
         add_kind(reasons, path, from.kind, k_alternatives<Shape>);
     }
@@ -186,8 +189,10 @@ void write_rest(Writing, const Shape& from, windrow_shape& to) {
         to = windrow_shape_mesh(nullptr, mesh->scale);
     else if (const auto* voxels = std::get_if<VoxelShape>(&from))
         to = windrow_shape_voxels(nullptr, voxels->cell_size);
-    else if (const auto* ground = std::get_if<Ground>(&from))
+    else if (const auto* ground = std::get_if<Ground>(&from)) {
         to = windrow_shape_ground(nullptr, to_c(ground->scale));
+        to.beyond = static_cast<windrow_beyond>(ground->beyond);
+    }
 }
 static_assert(std::variant_size_v<Shape> == 8);
 

@@ -147,8 +147,10 @@ SlicedAir above_ground(const SlicedAir& air) {
         for (const Obstacle& ground : grounds) {
             const glm::dvec3 from(place.x - ground.position.x, 0.0, place.y - ground.position.z);
             const glm::vec3 own = glm::inverse(glm::normalize(ground.orientation)) * glm::vec3(from);
-            height =
-                std::max(height, ground.position.y + static_cast<double>(detail::height_at(std::get<Ground>(ground.shape), own)));
+            const auto& shape = std::get<Ground>(ground.shape);
+            const glm::vec2 size = detail::extent_across(shape);
+            if (shape.beyond == Beyond::edge || (own.x >= 0.0f && own.z >= 0.0f && own.x <= size.x && own.z <= size.y))
+                height = std::max(height, ground.position.y + static_cast<double>(detail::height_at(shape, own)));
         }
         return height;
     };

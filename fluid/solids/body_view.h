@@ -40,6 +40,13 @@ struct Solids::View {
     [[nodiscard]] float distance(glm::vec3 cell) const { // [cells]
         return detail::distance_to(body.shape, own_place(cell), k_far * coarsest * cell_size) / cell_size;
     }
+    // [m] From the middle of another body's view to this one's.
+    [[nodiscard]] glm::vec3 from_middle_of(const View& other) const {
+        glm::vec3 between = ((base - other.base) + (part - other.part)) * cell_size;
+        if (rows != nullptr)
+            between.y = body.position.y - other.body.position.y;
+        return between;
+    }
     [[nodiscard]] glm::vec3 velocity(glm::vec3 away) const { return body.velocity + glm::cross(body.spin, away); }
 };
 

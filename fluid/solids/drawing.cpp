@@ -40,7 +40,10 @@ float negative_fraction(float a, float b, float c, float d) {
 } // namespace
 
 // Distances at the corners and centres of the cells.
-void Solids::measure(const View& view, const Reach& reach, const Reach& corners) {
+void Solids::measure(const View& view, const Reach& reach) {
+    const Reach corners{reach.low, reach.high + 1};
+    depths_.resize(reach.count());
+    distances_.resize(corners.count());
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) { depths_[n++] = view.distance(glm::vec3(cell) + 0.5f); });
     n = 0;
@@ -48,50 +51,111 @@ void Solids::measure(const View& view, const Reach& reach, const Reach& corners)
         corners.for_each([&](glm::ivec3 corner) { distances_[n++] = view.distance(corner) - k_touch; });
 }
 
-// The same, to the bit, over an upright ground, which has one height a column; and its columns.
-void Solids::measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners) {
-    const auto fill = [&](const Reach& places, float middle, float touch, detail::HostVector<float>& distances) {
-        heights_.clear();
-        for (int k = places.low.z; k < places.high.z; ++k)
-            for (int i = places.low.x; i < places.high.x; ++i)
-                heights_.push_back(detail::height_at(ground, view.own_place(glm::vec3(i, 0, k) + middle)));
-        const int across = places.high.x - places.low.x;
-        std::size_t n = 0;
-        for (int k = 0; k < places.high.z - places.low.z; ++k)
-            for (int j = places.low.y; j < places.high.y; ++j) {
-                const float y = view.own_place(glm::vec3(0.0f, static_cast<float>(j) + middle, 0.0f)).y;
-                for (int i = 0; i < across; ++i)
-                    distances[n++] = (y - heights_[static_cast<std::size_t>(k) * across + i]) / view.cell_size - touch;
+// The same over an upright ground, which has one level a column, with its columns. The reach ends above what the surface touches.
+void Solids::measure_ground(const View& view, Reach& reach, const Reach& drawn) {
+    const auto find_levels = [&](glm::ivec3 low, glm::ivec3 high, float middle, std::vector<TiledGround::Level>& levels) {
+        levels.clear();
+        for (int k = low.z; k < high.z; ++k)
+            for (int i = low.x; i < high.x; ++i) {
+                const glm::vec3 place = view.from_middle(glm::vec3(i, 0, k) + middle);
+                levels.push_back(ground_.at({place.x, place.z}));
             }
     };
-    fill(corners, 0.0f, k_touch, distances_);
-    fill(reach, 0.5f, 0.0f, depths_);
-    columns_.clear();
+    find_levels(reach.low, reach.high, 0.5f, levels_);
+    find_levels(reach.low, reach.high + 1, 0.0f, corner_levels_);
+    float highest = -std::numeric_limits<float>::infinity(); // [m] from the body's middle
+    columns_.assign(levels_.size(), {});
+    owners_.clear();
+    std::size_t n = 0;
     for (int k = reach.low.z; k < reach.high.z; ++k)
-        for (int i = reach.low.x; i < reach.high.x; ++i) {
-            const auto level = [&](float x, float z) { // of a place in this column, at height 0
-                glm::vec3 place = view.own_place(glm::vec3(static_cast<float>(i) + x, 0.0f, static_cast<float>(k) + z));
-                place.y = 0.0f;
-                return place;
-            };
-            const glm::vec3 centre = level(0.5f, 0.5f);
-            const float here = heights_[columns_.size()]; // those of the centres, filled last
-            Column column;
-            const auto meets = [&](float height) {
-                const float over = (height - here) / view.cell_size;
-                column.low = std::min(column.low, over);
-                column.high = std::max(column.high, over);
-                return over;
-            };
-            for (int n = 0; n < 4; ++n) {
-                const auto sign = static_cast<float>(2 * (n & 1) - 1);
-                meets(detail::height_at(ground, n < 2 ? level(0.5f + sign, 0.5f) : level(0.5f, 0.5f + sign)));
-                meets(detail::height_at(ground, level(static_cast<float>(n & 1), static_cast<float>(n >> 1))));
-            }
-            column.crest[0] = meets(-detail::least_rise(ground, centre, level(1.5f, 0.5f)));
-            column.crest[2] = meets(-detail::least_rise(ground, centre, level(0.5f, 1.5f)));
-            columns_.push_back(column);
+        for (int i = reach.low.x; i < reach.high.x; ++i, ++n) {
+            const glm::vec3 centre = view.from_middle(glm::vec3(i, 0, k) + 0.5f);
+            owners_.push_back(ground_.owner({centre.x, centre.z}));
+            if (i < drawn.low.x || k < drawn.low.z || i >= drawn.high.x || k >= drawn.high.z)
+                continue;
+            columns_[n] = column_at(view, reach, i, k);
+            highest = std::max(highest, columns_[n].level + columns_[n].high * view.cell_size);
         }
+    const auto over = [&](int row) {
+        return view.from_middle(glm::vec3(0.0f, static_cast<float>(row) + 0.5f, 0.0f)).y - highest;
+    };
+    int top = reach.low.y;
+    while (top < reach.high.y && !(over(top) > k_beside * view.coarsest * view.cell_size))
+        ++top;
+    reach.high.y = std::min(top + 1, reach.high.y);
+
+    const auto fill = [&](glm::ivec3 size, float middle, float touch, const std::vector<TiledGround::Level>& levels,
+                          detail::HostVector<float>& distances) {
+        distances.resize(static_cast<std::size_t>(size.x) * size.y * size.z);
+        std::size_t to = 0;
+        for (int k = 0; k < size.z; ++k)
+            for (int j = 0; j < size.y; ++j) {
+                const float y = view.from_middle(glm::vec3(0.0f, static_cast<float>(reach.low.y + j) + middle, 0.0f)).y;
+                for (int i = 0; i < size.x; ++i) {
+                    const TiledGround::Level& level = levels[static_cast<std::size_t>(k) * size.x + i];
+                    const bool simple = level.ground && level.end >= ground_.far();
+                    float away = level.rise(y);
+                    if (!simple) {
+                        glm::vec3 place = view.from_middle(glm::vec3(reach.low + glm::ivec3(i, j, k)) + middle);
+                        away = ground_.away(level, place);
+                    }
+                    distances[to++] = away / view.cell_size - touch;
+                }
+            }
+    };
+    fill(reach.high - reach.low + 1, 0.0f, k_touch, corner_levels_, distances_);
+    fill(reach.high - reach.low, 0.5f, 0.0f, levels_, depths_);
+}
+
+// From the levels of the reach, which holds the next columns.
+Solids::Column Solids::column_at(const View& view, const Reach& reach, int i, int k) const {
+    const int across = reach.high.x - reach.low.x;
+    const auto level = [&](int x, int z) -> const TiledGround::Level& {
+        return levels_[static_cast<std::size_t>((k + z - reach.low.z) * across + i + x - reach.low.x)];
+    };
+    const TiledGround::Level& here = level(0, 0);
+    Column column;
+    column.ends = !here.ground || here.end < k_beside * view.coarsest * view.cell_size;
+    column.level = here.ground ? here.level() : 0.0f;
+    const auto meets = [&](float height) {
+        const float over = (height - column.level) / view.cell_size;
+        column.low = std::min(column.low, over);
+        column.high = std::max(column.high, over);
+        return over;
+    };
+    const auto meets_ground = [&](const TiledGround::Level& other) {
+        if (other.ground)
+            meets(other.level());
+    };
+    for (int n = 0; n < 4; ++n) {
+        const int sign = 2 * (n & 1) - 1;
+        meets_ground(n < 2 ? level(sign, 0) : level(0, sign));
+        meets_ground(
+            corner_levels_[static_cast<std::size_t>((k + (n >> 1) - reach.low.z) * (across + 1) + i + (n & 1) - reach.low.x)]);
+    }
+    const auto centre = [&](int x, int z) {
+        const glm::vec3 at = view.from_middle(glm::vec3(i + x, 0, k + z) + 0.5f);
+        return glm::vec2(at.x, at.z);
+    };
+    column.crest[0] = meets(ground_.crest(centre(0, 0), centre(1, 0)));
+    column.crest[2] = meets(ground_.crest(centre(0, 0), centre(0, 1)));
+    if (column.ends)
+        column.low = -std::numeric_limits<float>::infinity();
+    return column;
+}
+
+// [cells] Of a cell over the level of its column.
+float Solids::rise_over(const View& view, const Column& column, glm::ivec3 cell, float away) {
+    return column.ends ? (view.from_middle(glm::vec3(cell) + 0.5f).y - column.level) / view.cell_size : away;
+}
+
+// [cells] Of a place [cells] from the surface that is drawn.
+float Solids::away_at(const View& view, glm::vec3 place) const {
+    return ground_.empty() ? view.distance(place) : ground_.away(view.from_middle(place)) / view.cell_size;
+}
+
+TiledGround::Owner Solids::owner_of(const Reach& reach, glm::ivec3 cell) const {
+    return owners_.empty() ? TiledGround::Owner::drawn : owners_[reach.column(cell)];
 }
 
 // Whether the surface of a body may meet a cell's faces or its neighbours; `away` [cells] from its surface.
@@ -101,22 +165,23 @@ bool Solids::may_touch(const View& view, const Reach& reach, glm::ivec3 cell, fl
     if (ground == nullptr)
         return std::abs(away) <= distance;
     // Beside a steep place the height over the ground is many times the distance from it.
-    if (const Column* const column = column_at(reach, cell))
-        return away >= column->low - distance && away <= column->high + distance;
+    if (const Column* const column = column_of(reach, cell)) {
+        const float rise = rise_over(view, *column, cell, away);
+        return rise >= column->low - distance && rise <= column->high + distance;
+    }
     const glm::vec3 place = view.own_place(glm::vec3(cell) + 0.5f);
     const glm::vec2 heights = detail::heights_near(*ground, place, 1.8f * view.coarsest * view.cell_size);
     return place.y >= heights.x - distance * view.cell_size && place.y <= heights.y + distance * view.cell_size;
 }
 
 // Of an upright ground.
-const Solids::Column* Solids::column_at(const Reach& reach, glm::ivec3 cell) const {
-    const auto n = static_cast<std::size_t>((cell.z - reach.low.z) * (reach.high.x - reach.low.x) + cell.x - reach.low.x);
-    return columns_.empty() ? nullptr : &columns_[n];
+const Solids::Column* Solids::column_of(const Reach& reach, glm::ivec3 cell) const {
+    return columns_.empty() ? nullptr : &columns_[reach.column(cell)];
 }
 
 // [cells] Of a cell's centre from the surface.
 float Solids::depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const {
-    return reach.holds(cell) ? depths_[reach.index(cell)] : view.distance(glm::vec3(cell) + 0.5f);
+    return reach.holds(cell) ? depths_[reach.index(cell)] : away_at(view, glm::vec3(cell) + 0.5f);
 }
 
 // Whether a body passes between the centres of a cell and of its high neighbour, both air, without holding one.
@@ -127,33 +192,49 @@ bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 ce
     const float away = depth_at(view, reach, cell);
     if (!flat && depth_at(view, reach, next) <= 0.0f)
         return false;
-    if (const Column* const column = column_at(reach, cell)) // no vertical line meets it between air and air
-        return axis != 1 && away - column->crest[axis] <= detail::k_touches_ground;
+    if (const Column* const column = column_of(reach, cell)) // no vertical line meets it between air and air
+        return axis != 1 && rise_over(view, *column, cell, away) - column->crest[axis] <= detail::k_touches_ground;
     return (ground || away < view.coarsest + k_touch) &&
            detail::blocks(view.body.shape, view.own_place(glm::vec3(cell) + 0.5f), view.own_place(glm::vec3(next) + 0.5f));
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
-void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset) {
-    const Reach corners{reach.low, reach.high + 1};
-    if (reach.count() == 0)
+void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offset) {
+    if (drawn.count() == 0)
         return;
+    const PlacedObstacle& body = bodies_[number];
     const View view(body, offset, box_);
-    depths_.resize(reach.count());
-    distances_.resize(corners.count());
-    const bool upright = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f), flat = std::holds_alternative<Plate>(body.shape);
+    const bool flat = std::holds_alternative<Plate>(body.shape);
+    Reach reach = drawn;
     columns_.clear();
-    if (const Ground* const ground = std::get_if<Ground>(&body.shape); ground != nullptr && upright)
-        measure_ground(*ground, view, reach, corners);
-    else
-        measure(view, reach, corners);
-    draw_near(view, reach);
-    const bool tight = !flat && detail::thickness(body.shape) < k_thin_wall * view.coarsest * view.cell_size;
+    owners_.clear();
+    collect_ground(number, view);
+    if (ground_.empty()) {
+        measure(view, reach);
+    } else {
+        reach.low -= glm::ivec3(1, 0, 1);
+        reach.high += glm::ivec3(1, 0, 1);
+        measure_ground(view, reach, drawn);
+    }
+    const Reach corners{reach.low, reach.high + 1};
+    draw_near(view, reach, drawn);
+    const bool tight =
+        !flat && drawings_[number].beside.empty() && detail::thickness(body.shape) < k_thin_wall * view.coarsest * view.cell_size;
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];
+        const Column* const column = column_of(reach, cell);
+        if (column != nullptr) {
+            if (!drawn.holds(cell))
+                return;
+            if (!column->ends && away > column->high + k_beside * view.coarsest)
+                return; // above all that it meets
+        }
+        const TiledGround::Owner owner = owner_of(reach, cell);
+        if (owner == TiledGround::Owner::other)
+            return;
         const bool in = !flat && away <= 0.0f;
-        const bool near = may_touch(view, reach, cell, away, 2.0f);
+        const bool near = may_touch(view, reach, cell, away, k_beside);
         if (in)
             draw_inside(view, reach, cell, away, near && may_touch(view, reach, cell, away, 1.5f));
         if (!near)
@@ -162,6 +243,9 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
         for (int axis = 0; axis < 3; ++axis) {
             glm::vec3 step(0.0f);
             step[axis] = 1.0f;
+            if (owner == TiledGround::Owner::none &&
+                (axis == 1 || owner_of(reach, cell + glm::ivec3(step)) != TiledGround::Owner::drawn))
+                continue;
             float closed = 0.0f;
             if (!flat) {
                 glm::ivec3 face = cell, one(0), other(0);
@@ -183,7 +267,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
 }
 
 // Adds the cells that a reader finds other air in than they hold (reading.h), and those that it may take it from.
-void Solids::draw_near(const View& view, const Reach& reach) {
+void Solids::draw_near(const View& view, const Reach& reach, const Reach& drawn) {
     const float filled = 0.5f * view.coarsest;
     const glm::ivec3 size = reach.high - reach.low;
     const std::size_t strides[3] = {1, static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.x) * size.y};
@@ -191,11 +275,13 @@ void Solids::draw_near(const View& view, const Reach& reach) {
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n];
         bool near = away < filled;
-        for (int axis = 0; axis < 3 && !near; ++axis)
-            near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
-                   (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
-        if (near && away > -k_under * view.coarsest)
-            drawn_near_.push_back({cell, away});
+        if (away > -k_under * view.coarsest && drawn.holds(cell) && owner_of(reach, cell) != TiledGround::Owner::other) {
+            for (int axis = 0; axis < 3 && !near; ++axis)
+                near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
+                       (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
+            if (near)
+                drawn_near_.push_back({cell, away});
+        }
         ++n;
     });
 }
@@ -214,7 +300,9 @@ void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, 
         if (!(next > 0.0f))
             continue;
         const glm::vec3 crossing = view.from_middle(centre, -away / (next - away) * out);
-        glm::vec3 normal = view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing, k_apart * view.cell_size);
+        glm::vec3 normal = ground_.empty() ? view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing,
+                                                                                k_apart * view.cell_size)
+                                           : ground_.normal(crossing, k_apart * view.cell_size);
         if (!(glm::dot(normal, out) > k_aligned))
             normal = out;
         drawn_sides_.push_back({direction, normal, view.body.moves() ? glm::dot(view.velocity(crossing), normal) : 0.0f});

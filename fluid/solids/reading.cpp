@@ -24,9 +24,6 @@ constexpr float k_farthest = 6e4f; // a half holds it
 bool stands(const PlacedObstacle& body) {
     return body.surface == Surface::free_slip && !body.moves();
 }
-bool is_upright_ground(const PlacedObstacle& body) {
-    return std::holds_alternative<Ground>(body.shape) && body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f);
-}
 
 // [m] Shortest and longest roughness length.
 glm::vec2 range_of(const Roughness& roughness) {
@@ -424,7 +421,7 @@ void ReadingMaker::find_column(const Solids& solids, int i, int k, float per_hei
         if (over || (closed != nullptr && closed->closed >= 0.5f))
             find(over ? solids.body_in(cell(j - 1)) : closed->body, j);
         else if (j == 0 && near_of_[cell(0)] != k_none)
-            if (const std::size_t body = near_[near_of_[cell(0)]].body; is_upright_ground(solids.bodies()[body]))
+            if (const std::size_t body = near_[near_of_[cell(0)]].body; TiledGround::is_upright_ground(solids.bodies()[body]))
                 find(body, 0); // within the lowest cell
         heights_[cell(j)] = surface == k_no_law ? law_.reach : kept(box_.centre(i, j, k).y - surface, per_height);
     }
@@ -434,7 +431,7 @@ void ReadingMaker::find_column(const Solids& solids, int i, int k, float per_hei
 void ReadingMaker::extend_height(const Solids& solids, const Near& near, std::span<const Source> sources) {
     const float per_height = per_height_at(near.place.x, near.place.z);
     float& height = heights_[near.cell];
-    if (is_upright_ground(solids.bodies()[near.body])) {
+    if (TiledGround::is_upright_ground(solids.bodies()[near.body])) {
         height = kept(near.away * box_.cell_size, per_height);
         return;
     }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 namespace windrow {
 namespace {
@@ -155,6 +156,30 @@ void Solids::find_shut_cells() {
             faces_[kept++] = face;
     }
     faces_.resize(kept);
+}
+
+void Solids::collect_open_sides() {
+    open_sides_.clear();
+    for (const InsideCell& cell : inside_) {
+        if (cell.shut)
+            continue;
+        for_each_neighbour(cell, [&](std::uint32_t other, int axis, std::uint32_t low) {
+            const ClosedFace* const between = face(low, axis);
+            const float open = between != nullptr ? 1.0f - between->closed : 1.0f;
+            if (!(open > 0.0f))
+                return;
+            const std::uint32_t potential = potential_of(place_of(other));
+            OpenSide side{.cell = {cell.cell, other}, .potential = {cell.potential, potential}, .inside = cell.cell};
+            if (low == other) {
+                std::swap(side.cell[0], side.cell[1]);
+                std::swap(side.potential[0], side.potential[1]);
+            }
+            side.weight = 0.5f * open * (axis == 1 ? 1.0f : box_.volume(cell.place.y));
+            side.body = cell.body;
+            side.axis = static_cast<std::uint8_t>(axis);
+            open_sides_.push_back(side);
+        });
+    }
 }
 
 void Solids::collect_surface() {
@@ -316,10 +341,12 @@ std::size_t Solids::memory_bytes() const {
                       bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
                       bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
                       bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
-                      bytes(drawn_sides_) + bytes(drawn_near_) + bytes(thicknesses_) + bytes(heights_) + bytes(columns_);
+                      bytes(drawn_sides_) + bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) +
+                      bytes(corner_levels_) + bytes(owners_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
-            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near);
+            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near) +
+                   bytes(drawing.beside);
     return sum;
 }
 

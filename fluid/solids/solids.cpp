@@ -95,19 +95,24 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     std::size_t from = 0;
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         std::size_t tries = 0;
-        while (tries < drawings_before_.size() && !still_holds(drawings_before_[from], bodies_[n])) {
+        find_beside(n, beside_);
+        while (tries < drawings_before_.size() && !is_drawing_of(drawings_before_[from], bodies_[n])) {
             from = from + 1 < drawings_before_.size() ? from + 1 : 0;
             ++tries;
         }
         if (tries < drawings_before_.size()) {
             take(drawings_[n], drawings_before_[from]);
             from = from + 1 < drawings_before_.size() ? from + 1 : 0;
+            drawings_[n].body = bodies_[n];
+            if (still_holds(drawings_[n]) || draw_rest(n))
+                continue;
         } else {
             take_room(drawings_[n], bodies_[n]);
-            drawings_[n].body = bodies_[n];
-            draw(drawings_[n]);
-            ++drawn_;
         }
+        drawings_[n].body = bodies_[n];
+        drawings_[n].beside.swap(beside_);
+        draw(n);
+        ++drawn_;
     }
     for (std::size_t n = bodies_.size(); n < drawings_.size(); ++n)
         drawings_[n].body.position.x = std::numeric_limits<float>::quiet_NaN();
@@ -125,6 +130,7 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         if (face.closed >= 0.5f)
             flags_[face.cell[0]] |= static_cast<std::uint8_t>(1u << face.axis);
     find_shut_cells();
+    collect_open_sides();
     collect_surface();
     collect_ghosts();
     collect_thin();
@@ -133,10 +139,7 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
 
 // Cells whose centre, corner or line to a neighbour a body may touch, within the box and `beyond` it.
 Solids::Reach Solids::reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const {
-    const glm::vec3 own = detail::half_extent(obstacle.shape);
-    glm::vec3 half(0.0f);
-    for (int axis = 0; axis < 3; ++axis)
-        half += glm::abs(obstacle.axes[axis]) * own[axis];
+    const detail::Extent extent = detail::extent_of(obstacle);
     const float h = box_.cell_size;
     const glm::vec3 least(-beyond), most(box_.cells + beyond);
     const auto place = [&](glm::vec3 metres) {
@@ -145,19 +148,81 @@ Solids::Reach Solids::reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond
             cells.y = static_cast<float>(box_.rows->place(static_cast<double>(metres.y)));
         return cells;
     };
-    return {glm::ivec3(glm::clamp(glm::floor(place(obstacle.position - half)) - 1.0f, least, most)),
-            glm::ivec3(glm::clamp(glm::ceil(place(obstacle.position + half)) + 1.0f, least, most))};
+    return {glm::ivec3(glm::clamp(glm::floor(place(obstacle.position + extent.low)) - 1.0f, least, most)),
+            glm::ivec3(glm::clamp(glm::ceil(place(obstacle.position + extent.high)) + 1.0f, least, most))};
 }
 
-bool Solids::still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const {
+bool Solids::is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const {
     const PlacedObstacle& drawn = drawing.body;
     if (drawn.moves() || obstacle.moves() || !detail::same(drawn.shape, obstacle.shape) || drawn.axes != obstacle.axes)
         return false;
     const glm::vec3 apart = glm::abs(drawn.position - obstacle.position);
-    if (!(std::max({apart.x, apart.y, apart.z}) < k_touch * box_.cell_size)) // or taken
-        return false;
-    const Reach needed = reach_of(obstacle, glm::ivec3(0));
-    return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high));
+    return std::max({apart.x, apart.y, apart.z}) < k_touch * box_.cell_size; // not where it was taken
+}
+
+// Whether the drawing of a body has all cells that the box has now, of a tile beside the same tiles.
+bool Solids::still_holds(const Drawing& drawing) const {
+    const Reach needed = reach_of(drawing.body, glm::ivec3(0));
+    return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high)) &&
+           drawing.beside.size() == beside_.size() &&
+           std::all_of(beside_.begin(), beside_.end(), [&](const auto& tile) { return stands_in(tile, drawing.beside); });
+}
+
+void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const {
+    beside.clear();
+    if (!TiledGround::is_tile(bodies_[body]))
+        return;
+    const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
+    for (std::size_t other = 0; other < bodies_.size(); ++other) {
+        if (other == body || !TiledGround::is_tile(bodies_[other]))
+            continue;
+        const glm::vec3 from = bodies_[other].position - bodies_[body].position;
+        bool near = false;
+        for (int z = -images.z; z <= images.z; ++z)
+            for (int x = -images.x; x <= images.x; ++x)
+                near = near || are_beside(bodies_[body], bodies_[other], from + glm::vec3(x, 0, z) * box_.size());
+        if (!near)
+            continue;
+        beside.push_back(bodies_[other]);
+        beside.back().position = from;
+    }
+}
+
+// Whether cells may touch a tile and another one, that stands `from` [m] it.
+bool Solids::are_beside(const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const {
+    const float margin = 2.0f * View::k_far * box_.coarsest();
+    const detail::Extent own = detail::extent_of(tile), extent = detail::extent_of(other);
+    const glm::vec3 gap = glm::max(from + extent.low - own.high, own.low - from - extent.high);
+    return gap.x <= margin && gap.z <= margin;
+}
+
+// Whether a tile stands in a list; rounding may have moved it a little, and changed the order.
+bool Solids::stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const {
+    return std::any_of(list.begin(), list.end(), [&](const PlacedObstacle& other) {
+        return glm::all(glm::lessThan(glm::abs(tile.position - other.position), glm::vec3(k_touch * box_.cell_size))) &&
+               tile.surface == other.surface && tile.axes == other.axes && detail::same(tile.shape, other.shape);
+    });
+}
+
+// The surface that the image of an upright ground is drawn from: of a tile with those beside it and their images.
+void Solids::collect_ground(std::size_t number, const View& view) {
+    ground_.begin(box_.cell_size, View::k_far * box_.coarsest());
+    if (!TiledGround::is_upright_ground(view.body))
+        return;
+    if (!TiledGround::is_tile(view.body)) {
+        if (std::get<Ground>(view.body.shape).beyond == Beyond::edge)
+            ground_.add(view.body, glm::vec3(0.0f), true);
+        return;
+    }
+    const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
+    for (std::size_t other = 0; other < bodies_.size(); ++other)
+        for (int z = -2 * images.z; z <= 2 * images.z && TiledGround::is_tile(bodies_[other]); ++z)
+            for (int x = -2 * images.x; x <= 2 * images.x; ++x) {
+                const glm::vec3 between = view.from_middle_of(View(bodies_[other], glm::ivec3(x, 0, z) * box_.cells, box_));
+                if (are_beside(view.body, bodies_[other], -between))
+                    ground_.add(bodies_[other], between, other == number && between == glm::vec3(0.0f));
+            }
+    ground_.end();
 }
 
 void Solids::take(Drawing& drawing, Drawing& before) {
@@ -180,11 +245,9 @@ void Solids::take_room(Drawing& drawing, const PlacedObstacle& body) {
         take(drawing, *largest);
 }
 
-void Solids::draw(Drawing& drawing) {
-    drawn_faces_.clear();
-    drawn_inside_.clear();
-    drawn_sides_.clear();
-    drawn_near_.clear();
+void Solids::draw(std::size_t number) {
+    Drawing& drawing = drawings_[number];
+    clear_drawn();
     const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
     const glm::ivec3 beyond = k_beyond * (1 - images);
     const glm::vec3 size = glm::vec3(box_.cells) * box_.cell_size;
@@ -196,7 +259,7 @@ void Solids::draw(Drawing& drawing) {
             for (int x = -images.x; x <= images.x; ++x) {
                 PlacedObstacle image = drawing.body;
                 image.position += glm::vec3(x, y, z) * size;
-                draw_image(drawing.body, reach_of(image, beyond), glm::ivec3(x, y, z) * box_.cells);
+                draw_image(number, reach_of(image, beyond), glm::ivec3(x, y, z) * box_.cells);
             }
     if (images != glm::ivec3(0)) { // images of one body may overlap: they close a face once
         const auto order = [](const Drawing::Face& face) {
@@ -206,14 +269,134 @@ void Solids::draw(Drawing& drawing) {
         std::sort(drawn_faces_.begin(), drawn_faces_.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
         drawn_faces_.erase(std::unique(drawn_faces_.begin(), drawn_faces_.end(), same), drawn_faces_.end());
     }
-    detail::make_room(drawing.faces, drawn_faces_.size());
-    detail::make_room(drawing.inside, drawn_inside_.size());
-    detail::make_room(drawing.sides, drawn_sides_.size());
-    detail::make_room(drawing.near, drawn_near_.size());
-    drawing.faces.assign(drawn_faces_.begin(), drawn_faces_.end());
-    drawing.inside.assign(drawn_inside_.begin(), drawn_inside_.end());
-    drawing.sides.assign(drawn_sides_.begin(), drawn_sides_.end());
-    drawing.near.assign(drawn_near_.begin(), drawn_near_.end());
+    drawing.faces.clear();
+    drawing.inside.clear();
+    drawing.sides.clear();
+    drawing.near.clear();
+    add_drawn(drawing);
+}
+
+// Draws what a kept drawing of an upright ground lacks: columns that came into reach, and those near tiles that came or went. So a box
+// that moves draws a strip, and a tile that comes late no more than itself. False: all is to be drawn.
+bool Solids::draw_rest(std::size_t number) {
+    Drawing& drawing = drawings_[number];
+    const PlacedObstacle& body = bodies_[number];
+    const Reach needed = reach_of(body, glm::ivec3(0));
+    if (!TiledGround::is_upright_ground(body) || box_.boundaries.periodic(0) || box_.boundaries.periodic(1) ||
+        box_.boundaries.periodic(2) || drawing.low.y > needed.low.y || drawing.high.y < needed.high.y)
+        return false;
+    const Reach most = reach_of(body, glm::ivec3(k_beyond));
+    const Reach kept{glm::max(drawing.low, most.low), glm::min(drawing.high, most.high)};
+    Reach whole{glm::min(kept.low, needed.low), glm::max(kept.high, needed.high)};
+    whole.low.y = drawing.low.y;
+    whole.high.y = drawing.high.y;
+    if (kept.count() == 0)
+        return false;
+
+    const auto columns = [&](Reach reach, std::uint8_t lack) {
+        reach = {glm::max(reach.low, kept.low), glm::min(reach.high, kept.high)};
+        for (int k = reach.low.z; k < reach.high.z; ++k)
+            for (int i = reach.low.x; i < reach.high.x; ++i)
+                lacks_[whole.column({i, 0, k})] = lack;
+    };
+    const glm::ivec3 size = whole.high - whole.low;
+    lacks_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.z), 1);
+    columns(kept, 0);
+    const auto lack_beside = [&](std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) {
+        for (PlacedObstacle tile : tiles) {
+            if (stands_in(tile, others))
+                continue;
+            tile.position += body.position;
+            Reach reach = reach_of(tile, glm::ivec3(k_beyond)); // a cell more than the tile
+            const int margin = static_cast<int>(std::ceil(View::k_far * box_.coarsest() / box_.cell_size)) + 1;
+            columns({reach.low - margin, reach.high + margin}, 1);
+        }
+    };
+    lack_beside(drawing.beside, beside_);
+    lack_beside(beside_, drawing.beside);
+
+    drawing.body.position.x = std::numeric_limits<float>::quiet_NaN(); // none until it is whole: memory may end
+    keep_columns(drawing, whole);
+    drawing.low = whole.low;
+    drawing.high = whole.high;
+    drawing.beside.swap(beside_);
+    clear_drawn();
+    for (int k = 0; k < size.z; ++k)
+        for (int i = 0; i < size.x; ++i) {
+            const auto lacks = [&](int x, int z) { return lacks_[static_cast<std::size_t>(z * size.x + x)] != 0; };
+            if (!lacks(i, k))
+                continue;
+            int end = i, last = k;
+            while (end < size.x && lacks(end, k))
+                ++end;
+            const auto row_lacks = [&](int z) {
+                bool all = true;
+                for (int x = i; x < end; ++x)
+                    all = all && lacks(x, z);
+                return all;
+            };
+            while (last < size.z && row_lacks(last))
+                ++last;
+            for (int z = k; z < last; ++z)
+                std::fill_n(lacks_.begin() + z * size.x + i, end - i, std::uint8_t{0});
+            draw_image(number, {whole.low + glm::ivec3(i, 0, k), {whole.low.x + end, whole.high.y, whole.low.z + last}},
+                       glm::ivec3(0));
+        }
+    add_drawn(drawing);
+    drawing.body = body;
+    return true;
+}
+
+// Drops what is in columns that are to be drawn, or that are not in reach any more.
+void Solids::keep_columns(Drawing& drawing, const Reach& whole) {
+    const auto is_kept = [&](glm::ivec3 cell) { return whole.holds(cell) && lacks_[whole.column(cell)] == 0; };
+    std::erase_if(drawing.faces, [&](const Drawing::Face& face) { return !is_kept(face.cell); });
+    std::erase_if(drawing.near, [&](const Drawing::Near& near) { return !is_kept(near.cell); });
+    std::size_t count = 0;
+    std::uint32_t sides = 0;
+    for (Drawing::Inside inside : drawing.inside) {
+        if (!is_kept(inside.cell))
+            continue;
+        std::copy_n(drawing.sides.begin() + inside.first_side, inside.sides, drawing.sides.begin() + sides);
+        inside.first_side = sides;
+        sides += inside.sides;
+        drawing.inside[count++] = inside;
+    }
+    drawing.inside.resize(count);
+    drawing.sides.resize(sides);
+}
+
+void Solids::clear_drawn() {
+    drawn_faces_.clear();
+    drawn_inside_.clear();
+    drawn_sides_.clear();
+    drawn_near_.clear();
+}
+
+// Adds what was drawn. The cells beside a surface stay in order.
+void Solids::add_drawn(Drawing& drawing) {
+    const auto first_side = static_cast<std::uint32_t>(drawing.sides.size());
+    for (Drawing::Inside& inside : drawn_inside_)
+        inside.first_side += first_side;
+    const auto append = [](auto& list, const auto& drawn) {
+        detail::make_room(list, list.size() + drawn.size());
+        list.insert(list.end(), drawn.begin(), drawn.end());
+    };
+    append(drawing.faces, drawn_faces_);
+    append(drawing.inside, drawn_inside_);
+    append(drawing.sides, drawn_sides_);
+    const auto in_order = [](const Drawing::Near& a, const Drawing::Near& b) {
+        return std::tuple(a.cell.z, a.cell.y, a.cell.x) < std::tuple(b.cell.z, b.cell.y, b.cell.x);
+    };
+    if (!std::is_sorted(drawn_near_.begin(), drawn_near_.end(), in_order))
+        std::sort(drawn_near_.begin(), drawn_near_.end(), in_order);
+    detail::make_room(drawn_near_, drawn_near_.size() + drawing.near.size());
+    detail::make_room(drawing.near, drawn_near_.size() + drawing.near.size());
+    const auto drawn = static_cast<std::ptrdiff_t>(drawn_near_.size());
+    drawn_near_.insert(drawn_near_.end(), drawing.near.begin(), drawing.near.end());
+    drawing.near.resize(drawn_near_.size());
+    std::merge(drawn_near_.begin(), drawn_near_.begin() + drawn, drawn_near_.begin() + drawn, drawn_near_.end(),
+               drawing.near.begin(), in_order);
 }
 
 float Solids::height_over(std::size_t number, glm::ivec3 cell) const {

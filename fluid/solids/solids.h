@@ -28,6 +28,7 @@
 #include "fluid/box.h"
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
+#include "fluid/solids/tiled_ground.h"
 
 #include <cstdint>
 #include <glm/common.hpp>
@@ -82,6 +83,16 @@ class Solids {
         bool shut = false;
         std::uint32_t drawn = 0; ///< number in the body's drawing
     };
+    /// A face, open in part, of a cell inside a body that is not shut. The projection pushes such a cell as if it were air, and the step
+    /// then gives it the body's velocity: what it took is no force.
+    struct OpenSide {
+        std::uint32_t cell[2] = {};      ///< low and high
+        std::uint32_t potential[2] = {}; ///< the same in the direct solve's rows
+        std::uint32_t inside = 0;        ///< the one inside
+        float weight = 0.0f;             ///< half of the open fraction, over the area of a cube's face
+        std::uint16_t body = 0;
+        std::uint8_t axis = 0;
+    };
     /// A cell inside a body that a cubic read from outside reaches: its value is the mean of what `count` cells nearer to the air
     /// give.
     struct Ghost {
@@ -107,6 +118,7 @@ class Solids {
     [[nodiscard]] std::span<const ClosedFace> faces() const { return faces_; }
     [[nodiscard]] std::span<const SurfaceCell> surface() const { return surface_; }
     [[nodiscard]] std::span<const InsideCell> inside() const { return inside_; }
+    [[nodiscard]] std::span<const OpenSide> open_sides() const { return open_sides_; }
     /// Ghosts by layers: those of a layer read the air and the layers before it. Three layers from the air outside of closed rooms,
     /// then three from that of the rooms, if there are any.
     [[nodiscard]] std::span<const Ghost> ghosts() const { return ghosts_; }
@@ -180,7 +192,7 @@ class Solids {
     [[nodiscard]] WINDROW_INTERNAL bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
     /// Whether the box has taken in a cell, or what is beside it, as it moved by `shift`.
     [[nodiscard]] WINDROW_INTERNAL bool came_in(std::uint32_t cell, glm::ivec3 shift) const;
-    /// Bodies that were drawn, not taken from the last call, by the last call.
+    /// Bodies that the last call drew whole; of others it kept all, or the columns that still held.
     [[nodiscard]] int drawn() const { return drawn_; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -197,6 +209,7 @@ class Solids {
     /// [cells] Thickness below which a body is tight by whole faces. Of 1.2 cells, fractions still let 7 % of a wind through.
     static constexpr float k_thin_wall = 1.5f;
     static constexpr int k_ghost_layers = 3;
+    static constexpr float k_beside = 2.0f;         ///< [cells] from a surface: a cell within may have a closed face
     static constexpr std::uint8_t k_room = 255;     ///< in `layers_`: air of a closed room
     static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
 
@@ -228,7 +241,8 @@ class Solids {
             float away; ///< [cells]
         };
         PlacedObstacle body;
-        glm::ivec3 low{0}, high{0}; ///< cells drawn: all that the body reaches within the box and some beyond
+        std::vector<PlacedObstacle> beside; ///< of a tile: the tiles that it was drawn with, placed from its own place
+        glm::ivec3 low{0}, high{0};         ///< cells drawn: all that the body reaches within the box and some beyond
         detail::HostVector<Face> faces;
         detail::HostVector<Inside> inside;
         detail::HostVector<Side> sides;
@@ -248,6 +262,9 @@ class Solids {
             const glm::ivec3 from = cell - low, size = high - low;
             return (static_cast<std::size_t>(from.z) * size.y + from.y) * size.x + from.x;
         }
+        [[nodiscard]] std::size_t column(glm::ivec3 cell) const {
+            return static_cast<std::size_t>((cell.z - low.z) * (high.x - low.x) + cell.x - low.x);
+        }
         template <class Visit>
         void for_each(const Visit& visit) const;
     };
@@ -257,24 +274,40 @@ class Solids {
     struct Column {
         float low = 0.0f, high = 0.0f;
         float crest[3] = {};
+        bool ends = false;  ///< the ground may end in it or beside it: the distance of a cell is not its height
+        float level = 0.0f; ///< [m] from the body's middle: of the ground at the centre
     };
     [[nodiscard]] glm::ivec3 air_cell_at(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end) const;
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
-    [[nodiscard]] bool still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const;
+    [[nodiscard]] bool is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const;
+    [[nodiscard]] bool still_holds(const Drawing& drawing) const;
+    /// Finds the tiles whose columns may touch those of a tile; none for another body.
+    void find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const;
+    [[nodiscard]] bool stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const;
+    [[nodiscard]] bool are_beside(const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const;
+    void collect_ground(std::size_t number, const View& view);
     /// Swaps them; `before` is free then: its position is NaN.
     static void take(Drawing& drawing, Drawing& before);
     void take_room(Drawing& drawing, const PlacedObstacle& body);
-    void draw(Drawing& drawing);
+    void draw(std::size_t number);
+    [[nodiscard]] bool draw_rest(std::size_t number);
+    void keep_columns(Drawing& drawing, const Reach& whole);
+    void clear_drawn();
+    void add_drawn(Drawing& drawing);
     /// `offset`: cells from the body to its image.
-    void draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset);
+    void draw_image(std::size_t number, const Reach& reach, glm::ivec3 offset);
     [[nodiscard]] bool may_touch(const View& view, const Reach& reach, glm::ivec3 cell, float away, float within) const;
-    [[nodiscard]] const Column* column_at(const Reach& reach, glm::ivec3 cell) const;
+    [[nodiscard]] const Column* column_of(const Reach& reach, glm::ivec3 cell) const;
     [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
     void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside);
-    void draw_near(const View& view, const Reach& reach);
-    void measure(const View& view, const Reach& reach, const Reach& corners);
-    void measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners);
+    void draw_near(const View& view, const Reach& reach, const Reach& drawn);
+    void measure(const View& view, const Reach& reach);
+    void measure_ground(const View& view, Reach& reach, const Reach& drawn);
+    [[nodiscard]] Column column_at(const View& view, const Reach& reach, int i, int k) const;
+    [[nodiscard]] static float rise_over(const View& view, const Column& column, glm::ivec3 cell, float away);
+    [[nodiscard]] float away_at(const View& view, glm::vec3 place) const;
+    [[nodiscard]] TiledGround::Owner owner_of(const Reach& reach, glm::ivec3 cell) const;
     void gather_faces();
     [[nodiscard]] ClosedFace& gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uint16_t body);
     [[nodiscard]] bool at_open_end(glm::ivec3 cell) const;
@@ -285,6 +318,7 @@ class Solids {
     void close_rooms();
     void make_room_for_motion();
     void find_shut_cells();
+    void collect_open_sides();
     void collect_surface();
     void collect_ghosts();
     void find_thicknesses();
@@ -313,6 +347,7 @@ class Solids {
     detail::HostVector<ClosedFace> faces_;
     detail::HostVector<SurfaceCell> surface_;
     detail::HostVector<InsideCell> inside_;
+    detail::HostVector<OpenSide> open_sides_;
     detail::HostVector<Ghost> ghosts_;
     detail::HostVector<GhostSource> ghost_sources_;
     detail::HostVector<std::uint32_t> layer_ends_, thin_, rooms_, room_ends_, sheltered_;
@@ -333,8 +368,12 @@ class Solids {
     detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
     detail::HostVector<float> distances_,
         depths_;                         ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
-    detail::HostVector<float> heights_;  ///< scratch: of a ground's columns
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
+    TiledGround ground_;                 ///< scratch: of an upright ground; empty for all else
+    std::vector<TiledGround::Level> levels_, corner_levels_; ///< scratch: of the columns' centres and corners
+    std::vector<TiledGround::Owner> owners_;                 ///< scratch: of the columns
+    std::vector<PlacedObstacle> beside_;                     ///< scratch of place
+    std::vector<std::uint8_t> lacks_;                        ///< scratch of draw_rest: whether a column is to be drawn
 };
 
 template <class Visit>

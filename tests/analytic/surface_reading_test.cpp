@@ -336,7 +336,7 @@ TEST(SurfaceReading, ChangesNoBitOfTheAir) {
         std::vector<Wind> winds;
         for (int n = 0; n < 2; ++n) {
             winds.push_back(made(config));
-            ASSERT_TRUE(winds.back().obstacles().add(test::detail::hills({-40.0, 1.0, -40.0})));
+            ASSERT_TRUE(winds.back().obstacles().add(test::scenario_parts::hills({-40.0, 1.0, -40.0})));
             ASSERT_TRUE(winds.back().obstacles().add({.position = {0.0, 8.0, 0.0}, .shape = Sphere{2.0f}}));
         }
         for (int n = 0; n < 12; ++n)
@@ -363,7 +363,7 @@ TEST(SurfaceReading, TexturesHoldWhatAQueryFinds) {
     config.roughness = Roughness{};
     config.blend_width = 0.0f; // the ambient wind is in no texture
     Wind wind = made(config);
-    ASSERT_TRUE(wind.obstacles().add(test::detail::hills({-40.0, 1.0, -40.0})));
+    ASSERT_TRUE(wind.obstacles().add(test::scenario_parts::hills({-40.0, 1.0, -40.0})));
     for (int n = 0; n < 10; ++n)
         (void)wind.step(1.0 / 30.0);
     const WindView view = wind.view();

@@ -38,8 +38,8 @@ static void add(windrow_wind* wind, windrow_shape shape, windrow_dvec3 position,
     CHECK_OK(windrow_wind_add_obstacle(wind, &obstacle, id));
     CHECK_OK(windrow_obstacle_init(&got, sizeof got));
     CHECK_OK(windrow_wind_get_obstacle(wind, *id, &got));
-    CHECK(got.shape.kind == shape.kind && got.shape.radius == shape.radius && got.position.x == position.x &&
-          got.orientation.w == 1.0f);
+    CHECK(got.shape.kind == shape.kind && got.shape.radius == shape.radius && got.shape.beyond == shape.beyond &&
+          got.position.x == position.x && got.orientation.w == 1.0f);
 }
 
 void check_obstacles(void) {
@@ -80,7 +80,10 @@ void check_obstacles(void) {
     add(wind, windrow_shape_plate(sheet), dvec3(6.0, 3.0, -6.0), &id);
     add(wind, windrow_shape_mesh(mesh, 1.5f), dvec3(-9.0, 1.0, 0.0), &id);
     add(wind, windrow_shape_voxels(voxels, 1.0f), dvec3(0.0, 7.0, 8.0), &id);
-    add(wind, windrow_shape_ground(map, vec3(1.0f, 1.0f, 1.0f)), dvec3(-16.0, 0.0, -16.0), &id);
+    obstacle.shape = windrow_shape_ground(map, vec3(1.0f, 1.0f, 1.0f));
+    CHECK(obstacle.shape.beyond == WINDROW_BEYOND_EDGE);
+    obstacle.shape.beyond = WINDROW_BEYOND_NOTHING;
+    add(wind, obstacle.shape, dvec3(-16.0, 0.0, -16.0), &id);
     windrow_mesh_destroy(mesh); /* the obstacles keep them */
     windrow_voxels_destroy(voxels);
     windrow_height_map_destroy(map);
@@ -105,6 +108,9 @@ void check_obstacles(void) {
     CHECK_OK(windrow_wind_set_obstacle(wind, house, &obstacle));
     obstacle.shape.kind = -1;
     CHECK_FAILS(windrow_wind_add_obstacle(wind, &obstacle, NULL), WINDROW_REJECTED, "shape.kind is -1");
+    obstacle.shape = windrow_shape_ground(NULL, vec3(1.0f, 1.0f, 1.0f));
+    obstacle.shape.beyond = 2;
+    CHECK_FAILS(windrow_wind_add_obstacle(wind, &obstacle, NULL), WINDROW_REJECTED, "beyond is 2: give 0 to 1.");
     obstacle.shape = windrow_shape_mesh(NULL, 1.0f);
     CHECK_FAILS(windrow_wind_add_obstacle(wind, &obstacle, NULL), WINDROW_REJECTED, "mesh");
     CHECK_OK(windrow_wind_remove_obstacle(wind, house));

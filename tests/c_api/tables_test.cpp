@@ -154,6 +154,7 @@ TEST(Tables, AreThoseThatBindingsAreMadeFrom) {
     tables.add_choice("Law", k_alternatives<std::variant<Force, Drive>>);
     tables.add_choice("Motor", k_alternatives<Motor>);
     tables.add_choice("Shape", k_alternatives<Shape>);
+    tables.add_choice("Beyond", k_words<Beyond>);
     test::expect_file(std::filesystem::path(WINDROW_SOURCE_DIR) / "c_api/tables.json", tables.text());
 }
 

@@ -27,14 +27,14 @@ Obstacle house(glm::dvec3 position, Surface surface = Surface::free_slip) {
 }
 
 std::vector<Scenario> table() {
-    using test::detail::must;
+    using test::scenario_parts::must;
     std::vector<Scenario> rows;
     rows.push_back({.name = "rough_floor", .config = rough});
     rows.push_back({.name = "rough_hills_that_the_box_passes",
                     .config = rough,
                     .begin =
                         [](WindControl& wind) {
-                            must(wind.obstacles().add(test::detail::hills({-40.0, 0.3, -40.0})));
+                            must(wind.obstacles().add(test::scenario_parts::hills({-40.0, 0.3, -40.0})));
                         },
                     .step =
                         [](WindControl& wind, int n) {
@@ -116,7 +116,7 @@ std::vector<Scenario> table() {
                         },
                     .begin =
                         [](WindControl& wind) {
-                            must(wind.obstacles().add(test::detail::hills({-40.0, 0.2, -40.0})));
+                            must(wind.obstacles().add(test::scenario_parts::hills({-40.0, 0.2, -40.0})));
                             must(wind.obstacles().add(house({-5.0, 2.0, 1.0})));
                             must(wind.motors().add(DirectionalMotor{.position = {2.0, 3.0, 0.0}}));
                         }});

@@ -9,6 +9,7 @@ namespace Windrow
     public enum MotorKind { Directional = 0, Wake = 1, Jet = 2, Vortex = 3, Omni = 4, Pressure = 5 }
     public enum ShapeKind { Sphere = 0, Capsule = 1, Block = 2, Cylinder = 3, Plate = 4, Mesh = 5, Voxels = 6,
         Ground = 7 }
+    public enum Beyond { Edge = 0, Nothing = 1 }
     public enum Surface { FreeSlip = 0, NoSlip = 1 }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -139,7 +140,7 @@ namespace Windrow
         public ShapeKind Kind;
         public float Radius, HalfLength, CellSize;
         public Vec3 HalfSize, HalfAxis, Scale;
-        public uint Reserved;
+        public Beyond Beyond;
         public IntPtr Mesh, Voxels, Heights;
     }
 

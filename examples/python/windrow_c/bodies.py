@@ -9,6 +9,7 @@ LAW_FORCE = 0; LAW_DRIVE = 1
 MOTOR_DIRECTIONAL = 0; MOTOR_WAKE = 1; MOTOR_JET = 2; MOTOR_VORTEX = 3; MOTOR_OMNI = 4; MOTOR_PRESSURE = 5
 SHAPE_SPHERE = 0; SHAPE_CAPSULE = 1; SHAPE_BLOCK = 2; SHAPE_CYLINDER = 3; SHAPE_PLATE = 4; SHAPE_MESH = 5;
 SHAPE_VOXELS = 6; SHAPE_GROUND = 7
+BEYOND_EDGE = 0; BEYOND_NOTHING = 1
 SURFACE_FREE_SLIP = 0; SURFACE_NO_SLIP = 1
 
 
@@ -71,8 +72,8 @@ class PressureMotor(c.Structure):
 
 class Shape(c.Structure):
     _fields_ = [("kind", c.c_int32), ("radius", c.c_float), ("half_length", c.c_float), ("cell_size", c.c_float),
-                ("half_size", Vec3), ("half_axis", Vec3), ("scale", Vec3), ("reserved", c.c_uint32),
-                ("mesh", c.c_void_p), ("voxels", c.c_void_p), ("heights", c.c_void_p)]
+                ("half_size", Vec3), ("half_axis", Vec3), ("scale", Vec3), ("beyond", c.c_int32), ("mesh", c.c_void_p),
+                ("voxels", c.c_void_p), ("heights", c.c_void_p)]
 
 
 class Obstacle(c.Structure):

@@ -13,6 +13,7 @@ pub const MOTOR_PRESSURE: MotorKind = 5;
 pub type ShapeKind = i32; pub const SHAPE_SPHERE: ShapeKind = 0; pub const SHAPE_CAPSULE: ShapeKind = 1;
 pub const SHAPE_BLOCK: ShapeKind = 2; pub const SHAPE_CYLINDER: ShapeKind = 3; pub const SHAPE_PLATE: ShapeKind = 4;
 pub const SHAPE_MESH: ShapeKind = 5; pub const SHAPE_VOXELS: ShapeKind = 6; pub const SHAPE_GROUND: ShapeKind = 7;
+pub type Beyond = i32; pub const BEYOND_EDGE: Beyond = 0; pub const BEYOND_NOTHING: Beyond = 1;
 pub type Surface = i32; pub const SURFACE_FREE_SLIP: Surface = 0; pub const SURFACE_NO_SLIP: Surface = 1;
 
 
@@ -98,7 +99,7 @@ pub struct PressureMotor {
 #[derive(Clone, Copy)]
 pub struct Shape {
     pub kind: ShapeKind, pub radius: f32, pub half_length: f32, pub cell_size: f32, pub half_size: Vec3,
-    pub half_axis: Vec3, pub scale: Vec3, pub reserved: u32, pub mesh: *const c_void, pub voxels: *const c_void,
+    pub half_axis: Vec3, pub scale: Vec3, pub beyond: Beyond, pub mesh: *const c_void, pub voxels: *const c_void,
     pub heights: *const c_void,
 }
 

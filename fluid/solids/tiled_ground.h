@@ -1,0 +1,93 @@
+// The surface of upright grounds: one that goes on beyond its edge, or the tiles at rest that end (Beyond::nothing), as one surface.
+// The height of a place is the greatest among the tiles that hold it, so no wall is between tiles that meet; the surface ends where no
+// tile goes on. Each face and each cell is drawn by one tile, its owner, from the whole surface: where tiles are drawn one by one and
+// their closed parts are added, a face across a seam is wrong by some per cent.
+//
+// Places are [m] along the world's axes from the middle of the ground that is drawn.
+#pragma once
+
+#include "fluid/obstacle.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace windrow {
+
+class TiledGround {
+  public:
+    enum class Owner : std::uint8_t { drawn, other, none };
+
+    [[nodiscard]] static bool is_upright_ground(const PlacedObstacle& body) {
+        return std::holds_alternative<Ground>(body.shape) && body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+    [[nodiscard]] static bool is_tile(const PlacedObstacle& body) {
+        return is_upright_ground(body) && std::get<Ground>(body.shape).beyond == Beyond::nothing && !body.moves();
+    }
+
+    /// The ground at a place.
+    struct Level {
+        float height = 0.0f, between = 0.0f; ///< [m] in the own heights of its tile; from these to those of the drawn one
+        float end = 0.0f;                    ///< [m] to where the surface ends; `far` and more: farther
+        bool ground = false;                 ///< false: there is none
+        [[nodiscard]] float level() const { return height - between; }           ///< [m] from the drawn one's middle
+        [[nodiscard]] float rise(float y) const { return y + between - height; } ///< [m] of a place over it
+    };
+
+    /// `cell` [m]: places nearer than a thousandth of it to a tile are held by it. `far` [m]: beyond it distances from the end need not
+    /// be right.
+    void begin(float cell, float far);
+    /// `between`: [m] from its middle to that of the ground that is drawn. `drawn`: it is that.
+    void add(const PlacedObstacle& body, glm::vec3 between, bool drawn);
+    /// After the last. Where several could own a place, it is the first by what they are, whatever order they were added in.
+    void end();
+    void clear() { tiles_.clear(); }
+    [[nodiscard]] bool empty() const { return tiles_.empty(); }
+    [[nodiscard]] float far() const { return far_; }
+
+    [[nodiscard]] Level at(glm::vec2 place) const;
+    /// [m] From the surface, negative below it: over it the height, outside of its ends the distance.
+    [[nodiscard]] float away(const Level& level, glm::vec3 place) const;
+    [[nodiscard]] float away(glm::vec3 place) const { return away(at({place.x, place.z}), place); }
+    /// Unit vector out of the surface, from distances at `step` [m] on either side; zero where they are equal.
+    [[nodiscard]] glm::vec3 normal(glm::vec3 place, float step) const;
+    /// [m] The highest level that the surface has along a level line; minus infinity where none is.
+    [[nodiscard]] float crest(glm::vec2 from, glm::vec2 to) const;
+    /// Whose a column of cells is, by the place of its centre: that of the tile that holds it, or else of one that may reach into it.
+    [[nodiscard]] Owner owner(glm::vec2 centre) const;
+
+  private:
+    struct Tile {
+        const PlacedObstacle* body;
+        const Ground* ground;
+        glm::mat3 to_own;
+        glm::vec3 between;
+        glm::vec2 first, last; ///< [m] its ends along its own x and z; infinite where it goes on
+        glm::vec2 low, high;   ///< holds it
+        bool drawn;
+        [[nodiscard]] glm::vec3 own_place(glm::vec2 place) const {
+            return to_own * (glm::vec3(place.x, 0.0f, place.y) + between);
+        }
+        [[nodiscard]] glm::vec2 world_place(glm::vec2 own) const {
+            const glm::vec3 world = body->axes * glm::vec3(own.x, 0.0f, own.y) - between;
+            return {world.x, world.z};
+        }
+        [[nodiscard]] bool is_near(glm::vec2 place, float distance) const {
+            return place.x >= low.x - distance && place.x <= high.x + distance && place.y >= low.y - distance &&
+                   place.y <= high.y + distance;
+        }
+        /// [m] Outside of it; 0: it holds the place.
+        [[nodiscard]] float outside(glm::vec2 place) const;
+    };
+    void find_free_corners();
+    [[nodiscard]] float to_end(glm::vec2 place) const;
+    [[nodiscard]] bool holds(glm::vec2 place) const;
+    [[nodiscard]] float beside(glm::vec3 place) const;
+
+    std::vector<Tile> tiles_;
+    std::vector<glm::vec2> free_corners_;
+    float cell_ = 1.0f, far_ = 3.0f, slack_ = 1e-3f;
+};
+
+} // namespace windrow

@@ -1,0 +1,318 @@
+// Grounds that end, and tiles of one surface (fluid/solids/tiled_ground.h).
+#include "fluid/solids/solids.h"
+#include "tests/shapes.h"
+#include "tests/tier.h"
+#include "tests/winds.h"
+
+#include <map>
+#include <random>
+
+namespace windrow {
+namespace {
+
+using namespace test;
+
+// --- What is drawn -----------------------------------------------------------------------------------------------------------
+
+using FaceName = std::tuple<int, int, int, int>;
+
+struct Drawn {
+    std::map<FaceName, float> faces{}; ///< closed fractions
+    std::set<std::uint32_t> inside{};
+    std::vector<glm::vec3> normals{};
+    std::map<std::uint32_t, float> near{};
+};
+
+Drawn drawn_by(const Solids& solids) {
+    Drawn drawn;
+    for (const ClosedFace& face : solids.faces())
+        drawn.faces[{face.place[0], face.place[1], face.place[2], face.axis}] = face.closed;
+    for (const Solids::InsideCell& cell : solids.inside())
+        drawn.inside.insert(cell.cell);
+    for (const Solids::GhostSource& source : solids.ghost_sources())
+        drawn.normals.push_back(source.normal);
+    solids.for_each_near([&](std::uint32_t cell, glm::ivec3, float away, std::size_t) {
+        const auto [at, is_new] = drawn.near.try_emplace(cell, away);
+        at->second = std::min(at->second, away);
+    });
+    return drawn;
+}
+
+Box box_of(Boundaries boundaries = {}) {
+    return {.cells = {32, 20, 28}, .cell_size = 1.0f, .boundaries = boundaries};
+}
+
+Drawn drawn_from(std::span<const PlacedObstacle> bodies, const Box& box = box_of()) {
+    Solids solids(box, box.cells.x);
+    solids.place(bodies);
+    return drawn_by(solids);
+}
+
+// The largest difference of a face's closed fraction, over all faces of either.
+double apart(const Drawn& a, const Drawn& b) {
+    double most = 0.0;
+    for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
+        for (const auto& [name, closed] : from->faces) {
+            const auto other = to->faces.find(name);
+            most = std::max(most, std::abs(static_cast<double>(closed) -
+                                           (other == to->faces.end() ? 0.0 : static_cast<double>(other->second))));
+        }
+    return most;
+}
+
+// --- Maps --------------------------------------------------------------------------------------------------------------------
+
+// Hills, and a cliff along x = 12 that a seam may cross.
+double height(double x, double z) {
+    return 6.0 + 2.5 * std::sin(0.31 * x) * std::cos(0.23 * z) + (x > 12.0 && z < 8.0 ? 3.0 : 0.0);
+}
+
+// A part of the hills, from a corner of a lattice of half metres to another; the whole is from (-64, -64).
+PlacedObstacle part_of_hills(glm::vec2 low, glm::vec2 high, Beyond beyond = Beyond::nothing, double raised = 0.0) {
+    PlacedObstacle body;
+    const glm::ivec2 corners = glm::ivec2((high - low) / 0.5f) + 1;
+    body.shape = Ground{heights_of(corners, 0.5f,
+                                   [&](double x, double z) {
+                                       return height(x + static_cast<double>(low.x), z + static_cast<double>(low.y)) + raised;
+                                   }),
+                        glm::vec3(1.0f), beyond};
+    body.position = {low.x, 0.0f, low.y};
+    return body;
+}
+
+std::vector<PlacedObstacle> quarters(glm::vec2 seam) {
+    constexpr float k_far = 64.0f;
+    return {part_of_hills({-k_far, -k_far}, seam), part_of_hills({seam.x, -k_far}, {k_far, seam.y}),
+            part_of_hills({-k_far, seam.y}, {seam.x, k_far}), part_of_hills(seam, {k_far, k_far})};
+}
+
+PlacedObstacle whole() {
+    return part_of_hills({-64.0f, -64.0f}, {64.0f, 64.0f}, Beyond::edge);
+}
+
+void turn(std::vector<PlacedObstacle>& bodies, float angle, glm::vec3 about) {
+    const glm::mat3 axes(glm::mat3_cast(glm::angleAxis(angle, glm::vec3(0.0f, 1.0f, 0.0f))));
+    for (PlacedObstacle& body : bodies) {
+        body.axes = axes;
+        body.position = about + axes * (body.position - about);
+    }
+}
+
+// --- Tests -------------------------------------------------------------------------------------------------------------------
+
+// Drawn one by one, with their closed parts added, faces across a seam are wrong by up to the whole of a face.
+TEST(TiledGround, FourTilesAreOneMapToTheBit) {
+    const Drawn one = drawn_from(std::vector{whole()});
+    ASSERT_GT(one.faces.size(), 1500u);
+    for (const glm::vec2 seam :
+         {glm::vec2(16.0f, 14.0f), glm::vec2(16.5f, 14.0f), glm::vec2(9.0f, 13.5f), glm::vec2(12.5f, 7.5f)}) {
+        std::vector<PlacedObstacle> tiles = quarters(seam);
+        for (int order = 0; order < 4; ++order) {
+            const Drawn four = drawn_from(tiles);
+            EXPECT_EQ(four.faces, one.faces) << "seam at " << seam.x << ", " << seam.y;
+            EXPECT_EQ(four.inside, one.inside);
+            std::rotate(tiles.begin(), tiles.begin() + 1, tiles.end());
+        }
+        EXPECT_EQ(drawn_from(tiles).normals.size(), one.normals.size());
+    }
+}
+
+// Seams that are at no whole part of a cell, and tiles turned about the upright axis.
+TEST(TiledGround, FourTilesAreOneMapWhereverTheSeamIs) {
+    std::mt19937 chance(3);
+    double worst = 0.0;
+    for (int n = 0; n < sampled(40, 8); ++n) {
+        const auto part = [&](float most) { return std::uniform_real_distribution<float>(0.0f, most)(chance); };
+        const glm::vec3 away(part(1.0f), part(1.0f), part(1.0f));
+        std::vector<PlacedObstacle> one{whole()},
+            four = quarters({12.0f + 0.5f * std::floor(part(8.0f)), 10.0f + 0.5f * std::floor(part(12.0f))});
+        const float angle = n % 2 == 0 ? 0.0f : part(6.3f);
+        for (auto* bodies : {&one, &four}) {
+            turn(*bodies, angle, {16.0f, 0.0f, 14.0f});
+            for (PlacedObstacle& body : *bodies)
+                body.position += away;
+        }
+        worst = std::max(worst, apart(drawn_from(one), drawn_from(four)));
+    }
+    figure("tiled_ground/off_one_map", worst);
+    EXPECT_LE(worst, 3e-3); // a body's place is rounded to 1/4096 of a cell, and a slope of the cliff is 6
+}
+
+// A level tile and a block of the same size, whose distances are the same.
+TEST(TiledGround, ATileEndsAsABlock) {
+    for (const float shift : {0.0f, 0.3f, 0.5f, 0.8f}) {
+        PlacedObstacle tile, block;
+        tile.shape = Ground{heights_of({9, 13}, 1.0f, [](double, double) { return 4.3; }), glm::vec3(1.0f), Beyond::nothing};
+        tile.position = {9.0f + shift, 0.0f, 7.0f + 0.5f * shift};
+        block.shape = Block{{4.0f, 50.0f, 6.0f}};
+        block.position = tile.position + glm::vec3(4.0f, 4.3f - 50.0f, 6.0f);
+        const Drawn a = drawn_from(std::vector{tile}), b = drawn_from(std::vector{block});
+        EXPECT_LE(apart(a, b), 2e-4) << shift; // the height over it is not the distance beside its edge
+        EXPECT_EQ(a.inside, b.inside);
+        // Turned about a level axis by nothing to speak of it is no tile, and ends as well.
+        tile.axes = glm::mat3(glm::mat3_cast(glm::angleAxis(1e-6f, glm::vec3(1.0f, 0.0f, 0.0f))));
+        EXPECT_LE(apart(drawn_from(std::vector{tile}), b), 2e-4) << shift;
+    }
+}
+
+TEST(TiledGround, WhereTilesOverlapTheHigherCounts) {
+    // A finer tile, half a metre higher, over a coarse one: as one map that has the step.
+    const auto step = [](double x, double z) { return x >= 10.0 && x <= 18.0 && z >= 8.0 && z <= 16.0 ? 5.5 : 5.0; };
+    PlacedObstacle fine, coarse, one;
+    fine.shape = Ground{heights_of({17, 17}, 0.5f, [](double, double) { return 5.5; }), glm::vec3(1.0f), Beyond::nothing};
+    fine.position = {10.0f, 0.0f, 8.0f};
+    coarse.shape = Ground{heights_of({3, 3}, 64.0f, [](double, double) { return 5.0; }), glm::vec3(1.0f), Beyond::nothing};
+    coarse.position = {-48.0f, 0.0f, -50.0f};
+    one.shape = Ground{heights_of({1025, 1025}, 0.125f, [&](double x, double z) { return step(x - 48.0, z - 50.0); })};
+    one.position = coarse.position;
+    const Drawn both = drawn_from(std::vector{fine, coarse}), mapped = drawn_from(std::vector{one});
+    EXPECT_LE(apart(both, mapped), 0.15); // the map's step is a slope of an eighth of a metre
+    EXPECT_EQ(both.inside, mapped.inside);
+    EXPECT_EQ(drawn_from(std::vector{coarse, fine}).faces, both.faces);
+}
+
+// A map whose edges lie in the box goes on as on them.
+TEST(TiledGround, BeyondAnEdgeThatGoesOnIsTheEdge) {
+    const auto clamped = [](double x, double z) { return height(std::clamp(x, 6.0, 22.0), std::clamp(z, 5.0, 19.0)); };
+    PlacedObstacle part, all;
+    part.shape = Ground{heights_of({33, 29}, 0.5f, [&](double x, double z) { return clamped(x + 6.0, z + 5.0); })};
+    part.position = {6.0f, 0.0f, 5.0f};
+    all.shape = Ground{heights_of({129, 129}, 0.5f, [&](double x, double z) { return clamped(x - 16.0, z - 16.0); })};
+    all.position = {-16.0f, 0.0f, -16.0f};
+    const Drawn a = drawn_from(std::vector{part}), b = drawn_from(std::vector{all});
+    EXPECT_EQ(a.faces, b.faces);
+    EXPECT_EQ(a.inside, b.inside);
+}
+
+// Gaps: two tiles with a missing one between them are two blocks, and the air between them reaches the floor of the box.
+TEST(TiledGround, AMissingTileIsAGapWithWalls) {
+    std::vector<PlacedObstacle> tiles = quarters({16.0f, 14.0f});
+    tiles.erase(tiles.begin() + 3);
+    const Drawn drawn = drawn_from(tiles);
+    for (int y = 0; y < 3; ++y) {
+        EXPECT_EQ(drawn.faces.at({15, y, 20, 0}), 1.0f);
+        EXPECT_EQ(drawn.faces.at({20, y, 13, 2}), 1.0f);
+        EXPECT_FALSE(drawn.faces.contains({20, y, 20, 0}));
+        EXPECT_FALSE(drawn.inside.contains(static_cast<std::uint32_t>(box_of().index(20, y, 20))));
+    }
+}
+
+// A tile as wide as a periodic box is ground everywhere: it ends nowhere.
+TEST(TiledGround, GoesOnAcrossPeriodicEnds) {
+    Boundaries boundaries = Boundaries::open_over_floor();
+    boundaries.x_low = boundaries.x_high = boundaries.z_low = boundaries.z_high = Boundary{BoundaryKind::periodic};
+    const auto level = [](double, double) { return 5.25; };
+    PlacedObstacle tile, whole;
+    tile.shape = Ground{heights_of({33, 29}, 1.0f, level), glm::vec3(1.0f), Beyond::nothing};
+    whole.shape = Ground{heights_of({3, 3}, 1.0f, level)};
+    for (const float shift : {0.0f, 0.5f, 7.25f}) {
+        tile.position = {shift, 0.0f, 0.5f * shift};
+        const Drawn a = drawn_from(std::vector{tile}, box_of(boundaries)), b = drawn_from(std::vector{whole}, box_of(boundaries));
+        EXPECT_EQ(a.faces, b.faces) << shift;
+        EXPECT_EQ(a.inside, b.inside) << shift;
+    }
+}
+
+// Drawings are kept: those of a surface that changes while it stands equal those that are made at once.
+TEST(TiledGround, ComingAndGoingLeavesWhatADrawingFromTheStartHas) {
+    const std::vector<PlacedObstacle> tiles = quarters({16.5f, 13.5f});
+    Solids solids(box_of(), box_of().cells.x);
+    const auto place = [&](std::vector<PlacedObstacle> bodies) {
+        solids.place(bodies);
+        const Drawn now = drawn_by(solids), fresh = drawn_from(bodies);
+        EXPECT_EQ(now.faces, fresh.faces);
+        EXPECT_EQ(now.inside, fresh.inside);
+        EXPECT_EQ(now.normals, fresh.normals);
+        EXPECT_EQ(now.near, fresh.near);
+        return solids.drawn();
+    };
+    EXPECT_EQ(place({tiles[0], tiles[1], tiles[2]}), 3);
+    EXPECT_EQ(place(tiles), 1); // of the others the columns beside it are drawn
+    EXPECT_EQ(place(tiles), 0);
+    EXPECT_EQ(place({tiles[1], tiles[2], tiles[3]}), 0);
+    auto raised = tiles;
+    raised[1] = part_of_hills({16.5f, -64.0f}, {64.0f, 13.5f}, Beyond::nothing, 0.75);
+    place(raised);
+    auto moving = tiles;
+    moving[2].velocity = {0.0f, 0.0f, 1.0f}; // no tile of the surface while it moves
+    place(moving);
+    place(tiles);
+    std::vector<PlacedObstacle> row;
+    for (const float x : {-8.0f, 0.0f, 8.0f, 16.0f, 24.0f})
+        row.push_back(part_of_hills({x, 4.0f}, {x + 8.0f, 20.0f}));
+    place({row[0], row[1], row[2], row[3]});
+    EXPECT_EQ(place(row), 1);
+    // A finer one over them, and gone again.
+    row.push_back(part_of_hills({10.5f, 6.0f}, {18.0f, 13.0f}, Beyond::nothing, 0.5));
+    EXPECT_EQ(place(row), 1);
+    row.pop_back();
+    EXPECT_EQ(place(row), 0);
+}
+
+// A box that moves draws the columns that come into reach, and has what a drawing from the start has.
+TEST(TiledGround, ABoxThatMovesDrawsWhatComesIntoReach) {
+    std::mt19937 chance(11);
+    for (const bool tiled : {false, true}) {
+        Solids solids(box_of(), box_of().cells.x);
+        std::vector<PlacedObstacle> bodies = tiled ? quarters({16.5f, 13.5f}) : std::vector{whole()};
+        solids.place(bodies);
+        int drawn = 0;
+        for (int n = 0; n < sampled(60, 16); ++n) {
+            const auto cells = [&](int most) { return std::uniform_int_distribution<int>(-most, most)(chance); };
+            const glm::ivec3 shift = n % 8 == 7 ? glm::ivec3(0, cells(1), 0) : glm::ivec3(cells(3), 0, cells(2));
+            for (PlacedObstacle& body : bodies)
+                body.position -= glm::vec3(shift);
+            solids.place(bodies, shift);
+            drawn += solids.drawn();
+            const Drawn fresh = drawn_from(bodies), now = drawn_by(solids);
+            EXPECT_EQ(now.faces, fresh.faces) << n;
+            EXPECT_EQ(now.inside, fresh.inside) << n;
+            EXPECT_EQ(now.normals, fresh.normals) << n;
+            EXPECT_EQ(now.near, fresh.near) << n;
+        }
+        EXPECT_EQ(drawn, 0);
+    }
+}
+
+// --- Winds -------------------------------------------------------------------------------------------------------------------
+
+Obstacle standing(const PlacedObstacle& body, glm::dvec3 low) {
+    return {.position = low + glm::dvec3(body.position), .shape = body.shape};
+}
+
+Wind wind_over(std::span<const PlacedObstacle> bodies) {
+    Wind wind = made({.cells = {32, 20, 28}, .boundaries = Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 1.5f}});
+    for (const PlacedObstacle& body : bodies)
+        EXPECT_TRUE(wind.obstacles().add(standing(body, wind.origin())));
+    return wind;
+}
+
+// The faces have the same bits; a normal has the rounding of its place from its own tile's middle.
+TEST(TiledGround, AWindOverTilesIsThatOverTheMap) {
+    Wind one = wind_over(std::vector{whole()}), four = wind_over(quarters({16.0f, 14.0f}));
+    for (int n = 0; n < sampled(60, 12); ++n) {
+        for (Wind* wind : {&one, &four})
+            if (n == 6) {
+                ASSERT_TRUE(wind->follow(wind->origin() + glm::dvec3(wind->box().size()) * 0.5 + glm::dvec3(3.0, 0.0, 2.0)));
+            }
+        one.step(1.0 / 30.0);
+        four.step(1.0 / 30.0);
+    }
+    const double apart = largest_apart(one.field(), four.field());
+    figure("tiled_ground/wind_off_one_map", apart);
+    EXPECT_LE(apart, 1e-4);
+    // Where plants stand: beside the surface, across the seams.
+    for (double x = 12.0; x < 20.0; x += 0.37) {
+        const glm::dvec3 place(x, height(x, x - 2.0) + 0.1, x - 2.0);
+        const auto sampled = [&](const Wind& wind) {
+            const glm::dvec3 at = place + glm::dvec3(-16.0, 0.0, -14.0);
+            return wind.view().velocity(at);
+        };
+        EXPECT_LE(glm::distance(sampled(one), sampled(four)), 1e-3f) << x;
+        EXPECT_GT(glm::length(sampled(four)), 2.0f) << x;
+    }
+    EXPECT_GT(largest_off(four.field(), {6.0f, 0.0f, 1.5f}), 1.0);
+}
+
+} // namespace
+} // namespace windrow
