@@ -65,7 +65,8 @@ inline std::size_t padded_at(const SidedAir& air, ivec3 cell) {
     return padded_index(size, cell);
 }
 
-// Less the prescribed wind: beyond a wall of the box that of the cell that is mirrored. Along y a trace counts rows.
+// What is carried is the wind less the prescribed one: beyond a wall of the box that of the cell that is mirrored. A trace is the whole
+// wind, and counts rows along y.
 template <int Components>
 float windrow_wall_across(const SidedField<Components>& field, ivec3 low, ivec3 cell, int axis) {
     const SidedAir& air = field.air;
@@ -73,15 +74,17 @@ float windrow_wall_across(const SidedField<Components>& field, ivec3 low, ivec3 
         return 0.0f;
     const ClosedFace* const face = air.state.solids->face(number_of(air, low), axis);
     float speed = face != nullptr ? face->wall / face->closed : 0.0f;
-    if (air.task.prescribed.now != nullptr && !air.room) {
+    const bool traces = field.padded == air.task.padded_trace;
+    if (air.task.prescribed.now != nullptr && !air.room && !traces) {
         ivec3 slipped = cell;
         for (int a = 0; a < 3; ++a)
             if (air.state.box.boundaries.at(a, cell[a] < 0 ? 0 : 1).kind != BoundaryKind::open)
                 slipped[a] = windrow_cell_within(air, cell[a], a);
         speed -= air.task.prescribed.now[4 * padded_at(air, slipped) + static_cast<std::size_t>(axis)];
     }
-    const bool in_rows = axis == 1 && air.task.row_scales != nullptr && field.padded == air.task.padded_trace;
-    return in_rows ? air.task.row_scales[windrow_cell_within(air, cell.y, 1)] * speed : speed;
+    return axis == 1 && air.task.row_scales != nullptr && traces
+               ? air.task.row_scales[windrow_cell_within(air, cell.y, 1)] * speed
+               : speed;
 }
 
 template <int Components>

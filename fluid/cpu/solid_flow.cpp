@@ -260,6 +260,17 @@ void SolidFlow::find_pushes(const float* potential, std::span<PressurePush> push
         if (box_.boundaries.periodic(axis))
             period[axis] = h * box_.cells[axis];
     const bool periodic = period != glm::dvec3(0.0);
+    // [m] To a place [cells] from a body's position, from its nearest image.
+    const auto arm_to = [&](const glm::dvec3& place, const glm::dvec3& position) {
+        glm::dvec3 arm = h * place - position;
+        if (box_.rows)
+            arm.y = box_.rows->height_at(place.y) - position.y;
+        if (periodic)
+            for (int along = 0; along < 3; ++along)
+                if (period[along] > 0.0)
+                    arm[along] -= period[along] * std::round(arm[along] / period[along]);
+        return arm;
+    };
     std::fill(pushes.begin(), pushes.end(), PressurePush{});
     const std::span<const ClosedFace> all = solids_.faces();
     for (std::size_t n = 0; n < all.size();) { // those of a body that follow each other, in registers
@@ -270,15 +281,9 @@ void SolidFlow::find_pushes(const float* potential, std::span<PressurePush> push
             const ClosedFace& face = all[n];
             const glm::dvec3& axis = k_axes[face.axis];
             double area = static_cast<double>(face.closed); // over that of a cube's face
-            glm::dvec3 arm = h * (glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5 + 0.5 * axis) - position;
-            if (box_.rows) {
+            if (box_.rows)
                 area *= face.axis == 1 ? 1.0 : static_cast<double>(box_.volume(face.place[1]));
-                arm.y = box_.rows->height_at(face.place[1] + 0.5 + 0.5 * axis.y) - position.y;
-            }
-            if (periodic)
-                for (int along = 0; along < 3; ++along)
-                    if (period[along] > 0.0) // from its nearest image
-                        arm[along] -= period[along] * std::round(arm[along] / period[along]);
+            const glm::dvec3 arm = arm_to(glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5 + 0.5 * axis, position);
             const double low = face.shut[0] ? 0.0 : area, high = face.shut[1] ? 0.0 : area;
             const double below = low * static_cast<double>(potential[face.potential[0]]),
                          above = high * static_cast<double>(potential[face.potential[1]]);
@@ -286,6 +291,14 @@ void SolidFlow::find_pushes(const float* potential, std::span<PressurePush> push
             push += {.impulse = impulse, .twist = glm::cross(arm, impulse), .potential = below + above, .wetted = low + high};
         }
         pushes[body] += push;
+    }
+    for (const Solids::OpenSide& side : solids_.open_sides()) { // less what cells inside take
+        const double slope =
+            static_cast<double>(potential[side.potential[1]]) - static_cast<double>(potential[side.potential[0]]);
+        const glm::dvec3 impulse = (-h * h * h * static_cast<double>(side.weight) * slope) * k_axes[side.axis];
+        const glm::dvec3 arm =
+            arm_to(glm::dvec3(solids_.place_of(side.inside)) + 0.5, glm::dvec3(solids_.bodies()[side.body].position));
+        pushes[side.body] += {.impulse = impulse, .twist = glm::cross(arm, impulse)};
     }
     for (PressurePush& push : pushes)
         push = finished(push, box_.cell_size);

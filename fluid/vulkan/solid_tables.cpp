@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace windrow::vulkan {
 namespace {
@@ -324,6 +325,24 @@ void SolidTables::add_loads() {
     std::int32_t number = 0;
     for (const ClosedFace& face : solids_.faces())
         words_[list + static_cast<std::size_t>(body_starts_[face.body]++)] = number++;
+
+    body_starts_.assign(bodies.size() + 1, 0);
+    for (const Solids::OpenSide& side : solids_.open_sides())
+        ++body_starts_[side.body + std::size_t{1}];
+    for (std::size_t n = 0; n < bodies.size(); ++n)
+        body_starts_[n + 1] += body_starts_[n];
+    head_.body_open = here();
+    words_.insert(words_.end(), body_starts_.begin(), body_starts_.end());
+    head_.open_list = here();
+    const std::size_t sides = words_.size();
+    words_.resize(sides + WINDROW_OPEN_SIDE * solids_.open_sides().size());
+    for (const Solids::OpenSide& side : solids_.open_sides()) {
+        const std::int32_t each[WINDROW_OPEN_SIDE] = {word(side.cell[0]), word(side.cell[1]), word(side.inside),
+                                                      std::int32_t{side.axis}, word(side.weight)};
+        std::copy(std::begin(each), std::end(each),
+                  words_.begin() + static_cast<std::ptrdiff_t>(sides + WINDROW_OPEN_SIDE *
+                                                                           static_cast<std::size_t>(body_starts_[side.body]++)));
+    }
 
     names_before_.swap(names_);
     names_.clear();

@@ -142,8 +142,10 @@ struct WindrowSolids {
     int history_before; // the same of the last placement
     // Where forces are asked for; body_count is 0 elsewhere.
     int body_count;
-    int body_faces;    // of each body, its first face in the list, and the end
-    int body_list;     // faces, one body after another
+    int body_faces; // of each body, its first face in the list, and the end
+    int body_list;  // faces, one body after another
+    int body_open;  // of each body, its first side in the next list, and the end
+    int open_list; // WINDROW_OPEN_SIDE words each: sides of cells inside that are open, low and high cell, the one inside, axis, weight
     int bodies_before; // for each body, which one it was at the last placement; -1: new
     int loads;         // WINDROW_LOAD words each in the work words
     int loads_before;  // the same of the last placement
@@ -152,6 +154,7 @@ struct WindrowSolids {
 #define WINDROW_FACE 8
 #define WINDROW_TERM 6
 #define WINDROW_BODY 9
+#define WINDROW_OPEN_SIDE 5
 #define WINDROW_PUSHED 8                  // impulse, moment, potential and closed faces of a body
 #define WINDROW_LOAD (4 * WINDROW_PUSHED) // as cpu::BodyLoads::Load: history, sources, sum, blast
 // Flags of a record.

@@ -17,6 +17,17 @@ layout(std430, set = 0, binding = 5) readonly buffer Direction { float direction
 layout(constant_id = 3) const int k_group = 64; // invocations
 shared vec4 linear[k_group], angular[k_group];  // impulse and potential; moment and closed faces
 
+// From the body's nearest image.
+void add_impulse(vec3 arm, int axis, float held, inout vec4 force, inout vec4 moment) {
+    const float h = tick.cell_size;
+    const vec3 size = h * tick.period.xyz;
+    arm -= size * round(arm / mix(size, vec3(1.0f), equal(size, vec3(0.0f))));
+    vec3 along = vec3(0.0f);
+    along[axis] = h * h * h * held;
+    force.xyz += along;
+    moment.xyz += cross(arm, along);
+}
+
 void add_push(int n, vec3 position, inout vec4 force, inout vec4 moment) {
     const SolidFace face = solid_face(n);
     const ivec3 low = solid_cell(face.cell[0]);
@@ -29,14 +40,14 @@ void add_push(int n, vec3 position, inout vec4 force, inout vec4 moment) {
             force.w += here;
             moment.w += area * face.closed;
         }
-    const float h = tick.cell_size;
-    const vec3 size = h * tick.period.xyz;
-    vec3 arm = face_middle(low, face.axis) - position;
-    arm -= size * round(arm / mix(size, vec3(1.0f), equal(size, vec3(0.0f)))); // from its nearest image
-    vec3 along = vec3(0.0f);
-    along[face.axis] = h * h * h * held;
-    force.xyz += along;
-    moment.xyz += cross(arm, along);
+    add_impulse(face_middle(low, face.axis) - position, face.axis, held, force, moment);
+}
+
+// Less what the pressure gives to a cell inside, which is open in part.
+void take_open(int at, vec3 position, inout vec4 force, inout vec4 moment) {
+    const float slope = phi_at(cell_index(solid_cell(solid_words[at + 1]))) - phi_at(cell_index(solid_cell(solid_words[at])));
+    add_impulse(centre_of(solid_cell(solid_words[at + 2])) - position, solid_words[at + 3], -solid_float(at + 4) * slope, force,
+                moment);
 }
 
 void main() {
@@ -47,6 +58,9 @@ void main() {
         vec4 force = vec4(0.0f), moment = vec4(0.0f);
         for (int n = first + local; n < end; n += k_group)
             add_push(solid_words[solids.body_list + n], position, force, moment);
+        const int first_open = solid_words[solids.body_open + body], end_open = solid_words[solids.body_open + body + 1];
+        for (int n = first_open + local; n < end_open; n += k_group)
+            take_open(solids.open_list + WINDROW_OPEN_SIDE * n, position, force, moment);
         linear[local] = force;
         angular[local] = moment;
         barrier();

@@ -26,7 +26,7 @@ int padded_at(ivec3 cell) {
     return cell.x + stride.y * cell.y + stride.z * cell.z;
 }
 
-// Less the prescribed wind. Along y a trace counts rows.
+// What is carried, the first field, is the wind less the prescribed one. A trace is the whole wind, and counts rows along y.
 float windrow_wall_across(WindrowSidedField field, ivec3 low, ivec3 cell, int axis) {
     if (low.x < 0)
         return 0.0f;
@@ -37,9 +37,10 @@ float windrow_wall_across(WindrowSidedField field, ivec3 low, ivec3 cell, int ax
         const SolidFace face = solid_face(n);
         speed = face.wall / face.closed;
     }
-    if (is_on(WINDROW_GUSTS) && !field.air)
+    const bool traces = field.first > 0;
+    if (is_on(WINDROW_GUSTS) && !field.air && !traces)
         speed -= padded[2 * strides().z * (tick.cells.z + WINDROW_HALO) + padded_at(cell)][axis];
-    return field.first > 0 && axis == 1 ? row_scale(windrow_cell_within(false, cell.y, 1)) * speed : speed;
+    return traces && axis == 1 ? row_scale(windrow_cell_within(false, cell.y, 1)) * speed : speed;
 }
 
 vec3 windrow_stored(WindrowSidedField field, ivec3 cell) { return padded[field.first + padded_at(cell)].xyz; }

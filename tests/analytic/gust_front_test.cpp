@@ -1,5 +1,6 @@
 // A gust passes through the blend zone and the open boundaries of a moving box as if there were no box.
 
+#include "tests/scenarios.h"
 #include "tests/winds.h"
 
 #include <cstdio>
@@ -180,6 +181,40 @@ TEST(GustFront, MotorsBlowInGusts) {
     figure("fan_10_m_downwind_calm_m_per_s", reach[0]);
     figure("fan_10_m_downwind_gusty_m_per_s", reach[1]);
     EXPECT_GT(reach[1], 4.0);
+}
+
+// Gusts of a ten-thousandth beside bodies change the wind by as much. Trajectories that mirror the whole wind about the wall's speed less
+// the prescribed wind change it by 7 to 17 % of the fastest air beside thin bodies, at rest too.
+TEST(GustFront, FaintGustsChangeNothingBesideBodies) {
+    double worst = 0.0;
+    std::string where;
+    for (const test::scenario_parts::NamedShape& shape : test::scenario_parts::scenario_shapes())
+        for (const Way way : {Way::rests, Way::moves, Way::turns}) {
+            const Scenario row = test::scenario_parts::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0});
+            Config config = scenario_config();
+            Wind calm = made(config);
+            config.gusts.intensity = 1e-4f;
+            Wind gusty = made(config);
+            for (Wind* wind : {&calm, &gusty})
+                row.begin(*wind);
+            for (int n = 0; n < 12; ++n) {
+                for (Wind* wind : {&calm, &gusty}) {
+                    if (row.step)
+                        row.step(*wind, n);
+                    wind->step(k_scenario_step);
+                }
+                if (n != 0 && n != 11)
+                    continue;
+                const double apart = largest_apart(calm.field(), gusty.field()) / calm.diagnostics().max_speed;
+                if (apart > worst) {
+                    worst = apart;
+                    where = row.name;
+                }
+                EXPECT_LE(apart, 1e-3) << row.name << " after " << n + 1;
+            }
+        }
+    std::printf("[info] worst beside %s\n", where.c_str());
+    WINDROW_EXPECT_FIGURE("faint_gusts_beside_bodies_over_fastest", worst, 1e-3);
 }
 
 } // namespace
