@@ -55,10 +55,14 @@ Result<std::optional<FlowTruth>> FlowTruth::find(const ParetoFlow& flow, Simd si
 
 CellTruth FlowTruth::at_centres(glm::ivec3 cells) const {
     const Box box = box_of(*flow_, cells);
-    CellTruth truth{.velocity = std::vector<glm::dvec3>(box.cell_count())};
+    CellTruth truth{.velocity = std::vector<glm::dvec3>(box.cell_count()),
+                    .counted = std::vector<std::uint8_t>(box.cell_count())};
     const glm::dvec3 ratio = glm::dvec3(flow_->reference) / glm::dvec3(cells);
     double squares = 0.0;
     visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
+        if (!counts(*flow_, x))
+            return;
+        truth.counted[n] = 1;
         truth.velocity[n] = flow_->exact ? flow_->exact(x) : sample(x / static_cast<double>(box.cell_size) * ratio - 0.5);
         const glm::dvec3 perturbation = truth.velocity[n] - glm::dvec3(ambient_.velocity(x));
         squares += glm::dot(perturbation, perturbation);
@@ -83,6 +87,8 @@ glm::dvec3 FlowTruth::sample(glm::dvec3 cell) const {
 double flow_error(std::span<const glm::vec4> u, const CellTruth& truth) {
     double squares = 0.0;
     for (std::size_t n = 0; n < u.size(); ++n) {
+        if (truth.counted[n] == 0)
+            continue;
         const glm::dvec3 off = glm::dvec3(u[n]) - truth.velocity[n];
         squares += glm::dot(off, off);
     }

@@ -16,8 +16,9 @@
 namespace windrow::cases {
 
 struct CellTruth {
-    std::vector<glm::dvec3> velocity; ///< [m/s]
-    double perturbation = 0.0;        ///< [m/s] |velocity - ambient wind|, summed over the cells
+    std::vector<glm::dvec3> velocity;  ///< [m/s]
+    std::vector<std::uint8_t> counted; ///< whether an error counts the cell
+    double perturbation = 0.0;         ///< [m/s] |velocity - ambient wind|, summed over these
 };
 
 class FlowTruth {

@@ -28,7 +28,8 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
         return Error{wind.error()};
     FlowWind made;
     made.wind_ = *std::move(wind);
-    made.set_method(settings.method);
+    if (!has_voxels(flow, settings.method))
+        made.set_method(settings.method);
     made.motion_ = flow.motion;
     for (const Motor& motor : flow.motors) {
         const auto added = made.wind_->motors().add(motor);
@@ -37,6 +38,14 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
         if (&motor == &flow.motors.front())
             made.first_ = *added;
     }
+    for (const Obstacle& obstacle : flow.obstacles)
+        if (const auto added = made.wind_->obstacles().add(obstacle); !added)
+            return Error{added.error()};
+    if (has_voxels(flow, settings.method))
+        made.voxels_ = std::make_unique<reference::VoxelStep>(
+            cells, box.cell_size, reference::sweeps_of(settings.method.pressure), glm::vec3(flow.mean),
+            [&](glm::ivec3 cell) { return is_solid(flow, glm::dvec3(box.centre(cell.x, cell.y, cell.z))); },
+            settings.parallel_for);
     if (flow.start)
         made.start_ = velocities_of(box, flow.start);
     made.begin();
@@ -45,7 +54,7 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
 
 void FlowWind::set_method(const Method& method) {
     Wind* const wind = wind_->on_cpu();
-    if (wind == nullptr)
+    if (wind == nullptr || voxels_)
         return;
     Config& config = wind->state().core.config;
     config.scheme = method.scheme;
@@ -57,6 +66,8 @@ void FlowWind::set_method(const Method& method) {
 }
 
 void FlowWind::begin() {
+    if (voxels_)
+        return voxels_->set_velocity(start_);
     if (start_.empty())
         wind_->reset();
     else
@@ -65,6 +76,8 @@ void FlowWind::begin() {
 
 void FlowWind::step(double dt) {
     time_ += dt;
+    if (voxels_)
+        return voxels_->step(static_cast<float>(dt));
     if (motion_)
         static_cast<void>(wind_->motors().move(first_, motion_(time_))); // finite, and the motor has no end
     wind_->step(dt);

@@ -6,18 +6,30 @@ namespace windrow::cases {
 
 using detail::message;
 
+namespace {
+
+bool is_classic(const Method& method) {
+    return method.scheme == Scheme::stable_fluids && method.interpolation == Interpolation::linear &&
+           method.pressure != Pressure::direct && method.pressure != Pressure::multigrid;
+}
+
+} // namespace
+
 std::vector<Method> pareto_methods(Solves solves) {
     std::vector<Method> methods;
     for (const Scheme scheme : k_schemes)
         for (const Interpolation advection : k_advections)
             for (const Pressure pressure : k_pressures)
-                if (solves == Solves::all || pressure == Pressure::direct)
+                if (solves == Solves::all || pressure == Pressure::direct ||
+                    (solves == Solves::voxels && is_classic({scheme, advection, pressure})))
                     methods.push_back({scheme, advection, pressure});
     return methods;
 }
 
 Solves solves_of(const ParetoFlow& flow, BackendKind backend) {
-    return backend == BackendKind::cpu && !flow.needs_wind() ? Solves::all : Solves::direct;
+    if (backend != BackendKind::cpu || flow.needs_wind())
+        return Solves::direct;
+    return flow.obstacles.empty() ? Solves::all : Solves::voxels;
 }
 
 const char* name_of(Scheme scheme) {

@@ -28,12 +28,18 @@ inline constexpr std::array k_pressures = {Pressure::direct, Pressure::multigrid
 /// What a Wind does by default.
 inline constexpr Method k_default_method{Scheme::second_order, Interpolation::cubic, Pressure::direct}; // as Config says: tested
 
-enum class Solves : std::uint8_t { direct, all };
+enum class Solves : std::uint8_t { direct, voxels, all };
 
-/// Those of a wind, which solves directly, or all.
+/// Those of a wind, which solves directly; these and the classic step, linear with Jacobi sweeps, whose obstacles are whole cells; or
+/// all.
 [[nodiscard]] std::vector<Method> pareto_methods(Solves solves);
-/// On a device, and for what only a Wind computes: direct.
+/// On a device, and for what only a Wind computes: direct. Around obstacles: voxels.
 [[nodiscard]] Solves solves_of(const ParetoFlow& flow, BackendKind backend);
+
+/// Whether reference::VoxelStep takes the place of a wind's step.
+[[nodiscard]] inline bool has_voxels(const ParetoFlow& flow, const Method& method) {
+    return !flow.obstacles.empty() && method.pressure != Pressure::direct;
+}
 
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Interpolation advection);

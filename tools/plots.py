@@ -190,7 +190,8 @@ TITLES = {"taylor_green_2d": "Vortices carried by a wind (2D, periodic, exact)",
           "vortex_pair": "A pair of vortices in a wind (2D, open boundaries)",
           "abc_flow": "Interwoven vortices carried by a wind (3D, periodic, exact)",
           "jet": "A motor's jet in a wind over a floor (3D, open boundaries)",
-          "gusty_fan": "A circling fan in gusts over a log profile (3D, open boundaries)"}
+          "gusty_fan": "A circling fan in gusts over a log profile (3D, open boundaries)",
+          "house": "A wind around a house and a ball (3D, open boundaries)"}
 # Two blues and two oranges that eyes of all kinds tell apart. Based on: Okabe & Ito 2008, Color Universal Design.
 COLOURS = {("second_order", "cubic"): ("#0060A8", "second-order step, cubic advection"),
            ("second_order", "linear"): ("#56B4E9", "second-order step, linear advection"),

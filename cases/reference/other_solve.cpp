@@ -3,13 +3,6 @@
 #include "fluid/wind_state.h"
 
 namespace windrow::reference {
-namespace {
-
-int sweeps_of(Pressure pressure) {
-    return pressure == Pressure::jacobi20 ? 20 : pressure == Pressure::jacobi40 ? 40 : 80;
-}
-
-} // namespace
 
 OtherSolve::OtherSolve(const Wind& wind)
     : parallel_for_(wind.config().parallel_for), jacobi_(wind.box(), wind.config().simd),

@@ -13,6 +13,11 @@ namespace windrow::reference {
 
 enum class Pressure : std::uint8_t { direct, multigrid, jacobi80, jacobi40, jacobi20 };
 
+/// Of Pressure::jacobi20 to jacobi80.
+[[nodiscard]] inline int sweeps_of(Pressure pressure) {
+    return pressure == Pressure::jacobi20 ? 20 : pressure == Pressure::jacobi40 ? 40 : 80;
+}
+
 /// V(2,2) cycles of Pressure::multigrid in a step.
 inline constexpr int k_multigrid_cycles = 2;
 

@@ -98,9 +98,19 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
             wind.step(dt);
         }));
     };
+    // The time of whole cells for obstacles is that of the tuned step without any.
+    std::deque<reference::StamStep> stams;
+    std::deque<Stepper> stam_steppers;
+    const auto enter_stam = [&](int sweeps) {
+        reference::StamStep& stam = stams.emplace_back(cells, box.cell_size, sweeps, parallel_for, simd);
+        stam.set_ambient(glm::vec3(flow.mean));
+        stam_steppers.emplace_back(max_age, [&stam, &start] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
+        return contest.add(stam_steppers.back().contestant([&stam, dt] { stam.step(static_cast<float>(dt)); }));
+    };
     std::vector<std::size_t> numbers;
     for (const Method& method : methods) {
-        const auto number = enter(method, backend);
+        const auto number = has_voxels(flow, method) ? Result<std::size_t>(enter_stam(reference::sweeps_of(method.pressure)))
+                                                     : enter(method, backend);
         if (!number)
             return Error{number.error()};
         numbers.push_back(*number);
@@ -108,10 +118,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     const auto cpu_number = backend.is_cpu() ? Result<std::size_t>(0) : enter(k_default_method, {});
     if (!cpu_number)
         return Error{cpu_number.error()};
-    reference::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
-    stam.set_ambient(glm::vec3(flow.mean));
-    Stepper stam_stepper(max_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
-    const std::size_t stam_number = contest.add(stam_stepper.contestant([&] { stam.step(static_cast<float>(dt)); }));
+    const std::size_t stam_number = enter_stam(k_sweeps);
     if (!contest.hold(seconds, stopped))
         return std::optional<GridTimes>();
 

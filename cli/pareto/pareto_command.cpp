@@ -5,7 +5,9 @@
 #include "cli/output_file.h"
 #include "fluid/core/message.h"
 #include "fluid/thread_pool.h"
+#include "scene/nearest_word.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -42,6 +44,29 @@ std::string broken(const ParetoResult& result) {
     return names;
 }
 
+std::vector<std::string> names_of(const std::vector<ParetoFlow>& flows) {
+    std::vector<std::string> names;
+    for (const ParetoFlow& flow : flows)
+        names.push_back(flow.name);
+    return names;
+}
+
+// The flows that are named, or all.
+std::vector<ParetoFlow> chosen_flows(bool quick, const std::vector<std::string>& names) {
+    std::vector<ParetoFlow> flows = pareto_flows(quick);
+    const std::vector<std::string> known = names_of(flows);
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            const std::string near = scene::nearest_word(name, known);
+            reject("--flow is ", shown(name), ", which is none", near.empty() ? "" : " (did you mean " + near + "?)",
+                   ": see windrow pareto --help.");
+        }
+    if (!names.empty())
+        std::erase_if(flows,
+                      [&](const ParetoFlow& flow) { return std::find(names.begin(), names.end(), flow.name) == names.end(); });
+    return flows;
+}
+
 } // namespace
 
 void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& console) {
@@ -49,15 +74,21 @@ void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& cons
     const auto request = std::make_shared<ParetoRequest>();
     const auto quick = std::make_shared<bool>(false);
     const auto out = std::make_shared<std::optional<std::filesystem::path>>();
+    const auto names = std::make_shared<std::vector<std::string>>();
     Flags flags(*pareto);
-    pareto->add_flag("--quick", *quick, "Fewer flows, grids and steps: a minute on two cores instead of eight");
+    std::string flows;
+    for (const std::string& name : names_of(pareto_flows(false)))
+        flows += (flows.empty() ? "" : ", ") + name;
+    flags.values("--flow", "NAME", "Flows to run, of " + flows + "; default all",
+                 [names](const std::string& name) { names->push_back(name); });
+    pareto->add_flag("--quick", *quick, "Fewer flows, grids and steps: two minutes on two cores instead of 15");
     flags.folder("--out", *out, "Folder for pareto.csv, which ./dev plots draws; default out/pareto");
     flags.backend(request->backend);
     flags.threads(request->threads, "Most threads; default one a core; errors do not depend on it");
     flags.simd(request->simd, "all methods run on them");
     pareto->callback([=, &chosen, &console] {
         check_backend(*pareto, request->backend);
-        request->flows = pareto_flows(*quick);
+        request->flows = chosen_flows(*quick, *names);
         request->cfls = *quick ? std::vector{1.0, 2.0} : std::vector{0.5, 1.0, 2.0, 4.0};
         request->one_thread_too = !*quick;
         request->seconds = *quick ? 0.4 : 1.5;

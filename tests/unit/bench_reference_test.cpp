@@ -4,6 +4,7 @@
 #include "cases/reference/jacobi.h"
 #include "cases/reference/residual.h"
 #include "cases/reference/stam.h"
+#include "cases/reference/voxel_step.h"
 #include "fluid/operators.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
@@ -105,6 +106,33 @@ float largest(std::span<const float> values) {
     for (std::size_t n = 0; n < a.size(); ++n)
         most = std::max(most, std::abs(a[n] - b[n]));
     return most;
+}
+
+// Without obstacles it is the tuned step, whose time pareto gives it.
+TEST(BenchReference, VoxelStepWithoutSolidsIsStamsStep) {
+    const Box box{.cells = k_cells, .cell_size = 0.5f, .boundaries = Boundaries::open_over_floor()};
+    const auto flow = waves(box);
+    VoxelStep plain(box.cells, box.cell_size, 20, cases::k_bench_ambient, [](glm::ivec3) { return false; });
+    plain.set_velocity(flow);
+    plain.step(k_dt);
+    EXPECT_LE(largest_difference(plain.velocity(), after_stam(box, flow, 20, Simd::best)), 1e-5f);
+    EXPECT_GT(largest_difference(plain.velocity(), flow), 0.5f);
+}
+
+// No air crosses a face to a solid cell, and a wind has to go around.
+TEST(BenchReference, VoxelStepGoesAroundSolids) {
+    const Box box{.cells = k_cells, .cell_size = 0.5f, .boundaries = Boundaries::open_over_floor()};
+    const auto is_solid = [](glm::ivec3 cell) { return cell.x >= 9 && cell.x < 14 && cell.y < 7 && cell.z >= 16 && cell.z < 24; };
+    VoxelStep step(box.cells, box.cell_size, 40, {6.0f, 0.0f, 0.0f}, is_solid);
+    step.set_velocity(std::vector<glm::vec4>(box.cell_count(), {6.0f, 0.0f, 0.0f, 0.0f}));
+    for (int n = 0; n < 10; ++n)
+        step.step(k_dt);
+    const auto at = [&](int x, int y, int z) { return step.velocity()[box.index(x, y, z)]; };
+    EXPECT_EQ(at(8, 3, 20).x, 0.0f);
+    EXPECT_EQ(at(11, 7, 20).y, 0.0f);
+    EXPECT_EQ(at(11, 3, 20), glm::vec4(0.0f));
+    EXPECT_GT(at(11, 8, 20).x, 6.5f);
+    EXPECT_LT(at(8, 3, 15).z, -0.5f);
 }
 
 TEST(BenchReference, CopyCopies) {
