@@ -17,6 +17,12 @@ namespace {
 
 constexpr int k_beyond = 8; // [cells] drawn beyond the box, so that not every shift draws a large body again
 
+// Whether a place [m] in its own axes is over or under a ground that ends.
+bool is_within_ends(const Ground& ground, glm::vec3 own) {
+    const glm::vec2 size = detail::extent_across(ground);
+    return own.x >= 0.0f && own.z >= 0.0f && own.x <= size.x && own.z <= size.y;
+}
+
 } // namespace
 
 Solids::Solids(const Box& box, int pitch)
@@ -400,14 +406,23 @@ void Solids::add_drawn(Drawing& drawing) {
 }
 
 float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
-    const PlacedObstacle& body = bodies_[number];
     const glm::vec3 centre = glm::vec3(cell) + 0.5f;
     const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
     float nearest = std::numeric_limits<float>::max();
-    for (int z = -images.z; z <= images.z; ++z)
-        for (int y = -images.y; y <= images.y; ++y)
-            for (int x = -images.x; x <= images.x; ++x)
-                nearest = std::min(nearest, View(body, glm::ivec3(x, y, z) * box_.cells, box_).distance(centre));
+    const auto visit = [&](const PlacedObstacle& body, bool only_within) {
+        for (int z = -images.z; z <= images.z; ++z)
+            for (int y = -images.y; y <= images.y; ++y)
+                for (int x = -images.x; x <= images.x; ++x) {
+                    const View view(body, glm::ivec3(x, y, z) * box_.cells, box_);
+                    if (!only_within || is_within_ends(std::get<Ground>(body.shape), view.own_place(centre)))
+                        nearest = std::min(nearest, view.distance(centre));
+                }
+    };
+    visit(bodies_[number], false);
+    if (TiledGround::is_tile(bodies_[number])) // of one surface
+        for (const PlacedObstacle& tile : bodies_)
+            if (TiledGround::is_tile(tile))
+                visit(tile, true);
     return nearest;
 }
 

@@ -169,6 +169,14 @@ TEST(TiledGround, WhereTilesOverlapTheHigherCounts) {
     EXPECT_LE(apart(both, mapped), 0.15); // the map's step is a slope of an eighth of a metre
     EXPECT_EQ(both.inside, mapped.inside);
     EXPECT_EQ(drawn_from(std::vector{coarse, fine}).faces, both.faces);
+    // The height over the ground, which rough ground asks for, is that over both.
+    const Box box = box_of();
+    Solids solids(box, box.cells.x);
+    solids.place(std::vector{fine, coarse});
+    for (const std::size_t body : {0u, 1u}) {
+        EXPECT_FLOAT_EQ(solids.height_over(body, {13, 7, 11}), 7.5f - 5.5f);
+        EXPECT_FLOAT_EQ(solids.height_over(1, {5, 7, 11}), 7.5f - 5.0f);
+    }
 }
 
 // A map whose edges lie in the box goes on as on them.
