@@ -217,11 +217,11 @@ glm::vec2 part_within(const Ground& ground, glm::vec2 from, glm::vec2 to) {
 } // namespace
 
 float least_rise(const Ground& ground, glm::vec3 begin, glm::vec3 end) {
-    const glm::vec2 part = part_within(ground, {begin.x, begin.z}, {end.x, end.z});
-    if (part.x > part.y)
+    const glm::vec2 over = part_within(ground, {begin.x, begin.z}, {end.x, end.z});
+    if (over.x > over.y)
         return std::numeric_limits<float>::infinity();
-    const glm::vec3 from = part.x > 0.0f ? glm::mix(begin, end, part.x) : begin,
-                    to = part.y < 1.0f ? glm::mix(begin, end, part.y) : end;
+    const glm::vec3 from = over.x > 0.0f ? glm::mix(begin, end, over.x) : begin,
+                    to = over.y < 1.0f ? glm::mix(begin, end, over.y) : end;
     const numerics::WindrowGrid grid = ground.heights->grid();
     const glm::vec2 texel = grid.spacing * glm::vec2(ground.scale.x, ground.scale.z);
     const glm::vec2 start = glm::vec2(from.x, from.z) / texel, way = glm::vec2(to.x, to.z) / texel - start;
