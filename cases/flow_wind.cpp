@@ -48,6 +48,8 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
             settings.parallel_for);
     if (flow.start)
         made.start_ = velocities_of(box, flow.start);
+    else if (made.voxels_)
+        made.start_.assign(box.cell_count(), glm::vec4(glm::vec3(flow.mean), 0.0f));
     made.begin();
     return made;
 }

@@ -99,11 +99,14 @@ ParetoFlow abc_flow(bool quick) {
     return flow;
 }
 
+std::string against_finer(const char* flow, bool quick) {
+    return std::string(flow) + (quick ? "; truth: 128 x 64 x 128 cells." : "; truth: 256 x 128 x 256 cells.");
+}
+
 ParetoFlow jet(bool quick) {
     ParetoFlow flow;
     flow.name = "jet";
-    flow.what = quick ? "A jet motor blows into a mean wind over a floor; truth: 128 x 64 x 128 cells."
-                      : "A jet motor blows into a mean wind over a floor; truth: 256 x 128 x 256 cells.";
+    flow.what = against_finer("A jet motor blows into a mean wind over a floor", quick);
     flow.size = {32.0, 16.0, 32.0};
     flow.boundaries = Boundaries::open_over_floor();
     flow.mean = {3.0, 0.0, 1.0};
@@ -127,8 +130,7 @@ ParetoFlow jet(bool quick) {
 ParetoFlow gusty_fan(bool quick) {
     ParetoFlow flow = jet(quick);
     flow.name = "gusty_fan";
-    flow.what = quick ? "A fan on a circle blows across gusts over a floor; truth: 128 x 64 x 128 cells."
-                      : "A fan on a circle blows across gusts over a floor; truth: 256 x 128 x 256 cells.";
+    flow.what = against_finer("A fan on a circle blows across gusts over a floor", quick);
     flow.mean = {5.0, 0.0, 2.0};
     flow.profile = LogProfile{};
     flow.gusts = {.intensity = 0.2f};
@@ -151,8 +153,7 @@ ParetoFlow gusty_fan(bool quick) {
 ParetoFlow house(bool quick) {
     ParetoFlow flow = jet(quick);
     flow.name = "house";
-    flow.what = quick ? "A wind begins around a house and a ball; truth: 128 x 64 x 128 cells."
-                      : "A wind begins around a house and a ball; truth: 256 x 128 x 256 cells.";
+    flow.what = against_finer("A wind begins around a house and a ball", quick);
     flow.mean = {6.0, 0.0, 2.0};
     flow.end = 1.0;
     flow.top_speed = 9.0; // around the corners

@@ -139,8 +139,10 @@ Solids::Column Solids::column_at(const View& view, const Reach& reach, int i, in
     };
     column.crest[0] = meets(ground_.crest(centre(0, 0), centre(1, 0)));
     column.crest[2] = meets(ground_.crest(centre(0, 0), centre(0, 1)));
-    if (column.ends)
+    if (column.ends) { // it may meet an end whose height is that of a place between these
         column.low = -std::numeric_limits<float>::infinity();
+        column.high = std::numeric_limits<float>::infinity();
+    }
     return column;
 }
 
@@ -218,8 +220,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     }
     const Reach corners{reach.low, reach.high + 1};
     draw_near(view, reach, drawn);
-    const bool tight =
-        !flat && drawings_[number].beside.empty() && detail::thickness(body.shape) < k_thin_wall * view.coarsest * view.cell_size;
+    const bool tight = is_tight(number);
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];

@@ -179,6 +179,7 @@ void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) 
     if (!TiledGround::is_tile(bodies_[body]))
         return;
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
+    const float margin = beside_margin();
     for (std::size_t other = 0; other < bodies_.size(); ++other) {
         if (other == body || !TiledGround::is_tile(bodies_[other]))
             continue;
@@ -186,7 +187,7 @@ void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) 
         bool near = false;
         for (int z = -images.z; z <= images.z; ++z)
             for (int x = -images.x; x <= images.x; ++x)
-                near = near || are_beside(bodies_[body], bodies_[other], from + glm::vec3(x, 0, z) * box_.size());
+                near = near || are_within(margin, bodies_[body], bodies_[other], from + glm::vec3(x, 0, z) * box_.size());
         if (!near)
             continue;
         beside.push_back(bodies_[other]);
@@ -194,12 +195,26 @@ void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) 
     }
 }
 
-// Whether cells may touch a tile and another one, that stands `from` [m] it.
-bool Solids::are_beside(const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const {
-    const float margin = 2.0f * View::k_far * box_.coarsest();
+// [m] Cells within it may touch two tiles.
+float Solids::beside_margin() const {
+    return 2.0f * View::k_far * box_.coarsest();
+}
+
+// Whether a tile and another one, that stands `from` [m] it, are within so many metres.
+bool Solids::are_within(float margin, const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const {
     const detail::Extent own = detail::extent_of(tile), extent = detail::extent_of(other);
     const glm::vec3 gap = glm::max(from + extent.low - own.high, own.low - from - extent.high);
     return gap.x <= margin && gap.z <= margin;
+}
+
+// Whether a body closes all faces of the cells whose centres it holds. A thin tile that touches another is a part of a surface.
+bool Solids::is_tight(std::size_t number) const {
+    const PlacedObstacle& body = bodies_[number];
+    const auto& beside = drawings_[number].beside;
+    return !std::holds_alternative<Plate>(body.shape) && detail::thickness(body.shape) < k_thin_wall * box_.coarsest() &&
+           std::none_of(beside.begin(), beside.end(), [&](const PlacedObstacle& tile) {
+               return are_within(k_touch * box_.cell_size, body, tile, tile.position);
+           });
 }
 
 // Whether a tile stands in a list; rounding may have moved it a little, and changed the order.
@@ -225,7 +240,7 @@ void Solids::collect_ground(std::size_t number, const View& view) {
         for (int z = -2 * images.z; z <= 2 * images.z && TiledGround::is_tile(bodies_[other]); ++z)
             for (int x = -2 * images.x; x <= 2 * images.x; ++x) {
                 const glm::vec3 between = view.from_middle_of(View(bodies_[other], glm::ivec3(x, 0, z) * box_.cells, box_));
-                if (are_beside(view.body, bodies_[other], -between))
+                if (are_within(beside_margin(), view.body, bodies_[other], -between))
                     ground_.add(bodies_[other], between, other == number && between == glm::vec3(0.0f));
             }
     ground_.end();
@@ -289,7 +304,8 @@ bool Solids::draw_rest(std::size_t number) {
     const PlacedObstacle& body = bodies_[number];
     const Reach needed = reach_of(body, glm::ivec3(0));
     if (!TiledGround::is_upright_ground(body) || box_.boundaries.periodic(0) || box_.boundaries.periodic(1) ||
-        box_.boundaries.periodic(2) || drawing.low.y > needed.low.y || drawing.high.y < needed.high.y)
+        box_.boundaries.periodic(2) || drawing.low.y > needed.low.y || drawing.high.y < needed.high.y ||
+        detail::thickness(body.shape) < k_thin_wall * box_.coarsest()) // a tile beside it changes all of it
         return false;
     const Reach most = reach_of(body, glm::ivec3(k_beyond));
     const Reach kept{glm::max(drawing.low, most.low), glm::min(drawing.high, most.high)};

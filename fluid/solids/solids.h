@@ -284,7 +284,9 @@ class Solids {
     /// Finds the tiles whose columns may touch those of a tile; none for another body.
     void find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const;
     [[nodiscard]] bool stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const;
-    [[nodiscard]] bool are_beside(const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const;
+    [[nodiscard]] float beside_margin() const;
+    [[nodiscard]] bool are_within(float margin, const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const;
+    [[nodiscard]] bool is_tight(std::size_t number) const;
     void collect_ground(std::size_t number, const View& view);
     /// Swaps them; `before` is free then: its position is NaN.
     static void take(Drawing& drawing, Drawing& before);

@@ -312,37 +312,31 @@ void SolidTables::add_origins(glm::ivec3 shift) {
 void SolidTables::add_loads() {
     const auto bodies = solids_.bodies();
     head_.body_count = static_cast<int>(bodies.size());
-    body_starts_.assign(bodies.size() + 1, 0);
-    for (const ClosedFace& face : solids_.faces())
-        ++body_starts_[face.body + std::size_t{1}];
-    for (std::size_t n = 0; n < bodies.size(); ++n)
-        body_starts_[n + 1] += body_starts_[n];
-    head_.body_faces = here();
-    words_.insert(words_.end(), body_starts_.begin(), body_starts_.end());
-    head_.body_list = here();
-    const std::size_t list = words_.size();
-    words_.resize(list + solids_.faces().size());
-    std::int32_t number = 0;
-    for (const ClosedFace& face : solids_.faces())
-        words_[list + static_cast<std::size_t>(body_starts_[face.body]++)] = number++;
-
-    body_starts_.assign(bodies.size() + 1, 0);
-    for (const Solids::OpenSide& side : solids_.open_sides())
-        ++body_starts_[side.body + std::size_t{1}];
-    for (std::size_t n = 0; n < bodies.size(); ++n)
-        body_starts_[n + 1] += body_starts_[n];
-    head_.body_open = here();
-    words_.insert(words_.end(), body_starts_.begin(), body_starts_.end());
-    head_.open_list = here();
-    const std::size_t sides = words_.size();
-    words_.resize(sides + WINDROW_OPEN_SIDE * solids_.open_sides().size());
-    for (const Solids::OpenSide& side : solids_.open_sides()) {
-        const std::int32_t each[WINDROW_OPEN_SIDE] = {word(side.cell[0]), word(side.cell[1]), word(side.inside),
-                                                      std::int32_t{side.axis}, word(side.weight)};
-        std::copy(std::begin(each), std::end(each),
-                  words_.begin() + static_cast<std::ptrdiff_t>(sides + WINDROW_OPEN_SIDE *
-                                                                           static_cast<std::size_t>(body_starts_[side.body]++)));
-    }
+    // Of each body, where its items begin, and behind the last the end; then the items, one body after another.
+    const auto list_by_body = [&](const auto& items, std::size_t words_each, std::int32_t& starts, std::int32_t& list,
+                                  const auto& write) {
+        body_starts_.assign(bodies.size() + 1, 0);
+        for (const auto& item : items)
+            ++body_starts_[item.body + std::size_t{1}];
+        for (std::size_t n = 0; n < bodies.size(); ++n)
+            body_starts_[n + 1] += body_starts_[n];
+        starts = here();
+        words_.insert(words_.end(), body_starts_.begin(), body_starts_.end());
+        list = here();
+        const std::size_t first = words_.size();
+        words_.resize(first + words_each * items.size());
+        for (const auto& item : items)
+            write(item, &words_[first + words_each * static_cast<std::size_t>(body_starts_[item.body]++)]);
+    };
+    list_by_body(solids_.faces(), 1, head_.body_faces, head_.body_list, [&](const ClosedFace& face, std::int32_t* to) {
+        *to = static_cast<std::int32_t>(&face - solids_.faces().data());
+    });
+    list_by_body(solids_.open_sides(), WINDROW_OPEN_SIDE, head_.body_open, head_.open_list,
+                 [](const Solids::OpenSide& side, std::int32_t* to) {
+                     const std::int32_t each[WINDROW_OPEN_SIDE] = {word(side.cell[0]), word(side.cell[1]), word(side.inside),
+                                                                   std::int32_t{side.axis}, word(side.weight)};
+                     std::copy(std::begin(each), std::end(each), to);
+                 });
 
     names_before_.swap(names_);
     names_.clear();

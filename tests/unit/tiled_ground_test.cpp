@@ -282,6 +282,71 @@ TEST(TiledGround, ABoxThatMovesDrawsWhatComesIntoReach) {
     }
 }
 
+// Tiles of any size and turn, down to a third of a cell, with gaps and overlaps, in boxes that move or are periodic: what is kept and
+// drawn in part equals what is drawn at once.
+TEST(TiledGround, AnyTilesThatComeAndGoLeaveWhatADrawingFromTheStartHas) {
+    for (int story = 0; story < sampled(300, 40); ++story) {
+        std::mt19937 chance(static_cast<unsigned>(story));
+        const auto part = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(chance); };
+        const auto whole_number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(chance); };
+        const bool periodic = story % 5 == 4;
+        Boundaries boundaries;
+        if (periodic) {
+            boundaries = Boundaries::open_over_floor();
+            boundaries.x_low = boundaries.x_high = Boundary{BoundaryKind::periodic};
+        }
+        const Box box = box_of(boundaries);
+        const float yaw = story % 3 == 0 ? part(0.0f, 6.3f) : 0.0f;
+        const glm::mat3 turned(glm::mat3_cast(glm::angleAxis(yaw, glm::vec3(0.0f, 1.0f, 0.0f))));
+        std::vector<PlacedObstacle> all;
+        for (int n = whole_number(1, 6); n > 0; --n) {
+            PlacedObstacle tile;
+            const float width = part(0.3f, 18.0f), height = part(3.0f, 9.0f), slope = part(-0.3f, 0.3f);
+            const glm::ivec2 corners(std::max(2, static_cast<int>(width) + 1), whole_number(2, 18));
+            const auto heights = heights_of(corners, 1.0f, [=](double x, double z) {
+                return static_cast<double>(height) + static_cast<double>(slope) * x + 0.4 * std::sin(x + z);
+            });
+            tile.shape = Ground{heights, {width / static_cast<float>(corners.x - 1), 1.0f, part(0.5f, 1.5f)}, Beyond::nothing};
+            tile.position = {part(-8.0f, 32.0f), part(-1.0f, 1.0f), part(-8.0f, 28.0f)};
+            tile.axes = whole_number(0, 3) == 0 ? glm::mat3(1.0f) : turned;
+            tile.slot = static_cast<std::uint32_t>(n);
+            all.push_back(tile);
+        }
+        Solids solids(box, box.cells.x);
+        solids.place(all);
+        for (int n = 0; n < 8; ++n) {
+            const glm::ivec3 shift =
+                periodic ? glm::ivec3(0) : glm::ivec3(whole_number(-3, 3), whole_number(-4, 1) / 4, whole_number(-2, 2));
+            for (PlacedObstacle& tile : all)
+                tile.position -= glm::vec3(shift);
+            std::vector<PlacedObstacle> now;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(now), [&](const auto&) { return whole_number(0, 4) > 0; });
+            std::shuffle(now.begin(), now.end(), chance);
+            solids.place(now, shift);
+            const Drawn kept = drawn_by(solids), fresh = drawn_from(now, box);
+            EXPECT_LE(apart(kept, fresh), 2e-3) << story << ", " << n; // places are rounded anew
+            EXPECT_EQ(kept.inside, fresh.inside) << story << ", " << n;
+            EXPECT_EQ(kept.near.size(), fresh.near.size()) << story << ", " << n;
+        }
+    }
+}
+
+// A tile thinner than a cell is a wall: tight by itself, whatever stands near it.
+TEST(TiledGround, AThinTileIsTight) {
+    for (const bool with_another : {false, true}) {
+        std::vector<PlacedObstacle> tiles(1);
+        tiles[0].shape =
+            Ground{heights_of({2, 40}, 1.0f, [](double, double) { return 30.0; }), {0.4f, 1.0f, 1.0f}, Beyond::nothing};
+        tiles[0].position = {15.3f, 0.0f, -5.0f};
+        if (with_another)
+            tiles.push_back(part_of_hills({19.0f, 4.0f}, {25.0f, 20.0f}));
+        const Drawn drawn = drawn_from(tiles);
+        for (int y = 0; y < 20; ++y)
+            for (int z = 0; z < 28; ++z)
+                EXPECT_EQ(std::max(drawn.faces.at({14, y, z, 0}), drawn.faces.at({15, y, z, 0})), 1.0f) << with_another;
+    }
+}
+
 // --- Winds -------------------------------------------------------------------------------------------------------------------
 
 Obstacle standing(const PlacedObstacle& body, glm::dvec3 low) {
