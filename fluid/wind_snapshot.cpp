@@ -21,7 +21,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 6").with<Config>().with<Motor>().with<Obstacle>().version(),
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 7").with<Config>().with<Motor>().with<Obstacle>().version(),
                                   "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -99,6 +99,8 @@ struct DeviceNames {
     Frames frames{};
     DeviceState source_flow = DeviceState::source_flow;
     struct Surface {
+        std::vector<PlacedObstacle> placed;
+        bool inside_is_air;
         std::vector<std::uint32_t> keys;
         std::vector<DeviceState> terms;
         glm::ivec3 shift;
@@ -107,6 +109,7 @@ struct DeviceNames {
     };
     Surface surface;
     [[nodiscard]] Surface surface_history() const { return surface; }
+    [[nodiscard]] cpu::Cells::KeptPotential kept_potential() const { return {}; }
 };
 
 } // namespace
@@ -262,9 +265,19 @@ struct StateFields {
         ObstacleFields::surface(archive, surface, config.cells);
         if constexpr (Reading<decltype(archive)>)
             if (!archive.rejected()) {
-                ObstacleFields::settle(obstacles, place.window, config.boundaries);
+                ObstacleFields::settle(obstacles, place.window, config.boundaries, !surface.placed.empty());
                 cells.set_surface_history(std::move(surface));
             }
+        auto kept = cells.kept_potential();
+        archive(kept.weight, kept.cells);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(kept.weight == 0.0f
+                                ? kept.cells.empty()
+                                : kept.weight > 0.0f && kept.weight <= 1.0f && kept.cells.size() == box.cell_count(),
+                            "the potential of its last step is out of range.");
+            if (!archive.rejected())
+                cells.set_kept_potential(kept);
+        }
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
@@ -311,7 +324,9 @@ SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurfa
     DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
     writer(saved_config(core));
     const DeviceNames names{.air = {.fresh = fresh},
-                            .surface = {.keys = surface.keys,
+                            .surface = {.placed = surface.placed,
+                                        .inside_is_air = surface.inside_is_air,
+                                        .keys = surface.keys,
                                         .terms = std::vector(surface.keys.size(), DeviceState::surface_term),
                                         .shift = surface.shift}};
     StateFields::state(writer, core, names);

@@ -13,6 +13,8 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 #include <span>
 #include <vector>
@@ -140,11 +142,16 @@ void fields(auto& archive, Like<BodyLoad> auto& load) {
     archive(slot, generation, in_box, history, sources, sum, blast);
 }
 
+void fields(auto& archive, Like<PlacedObstacle> auto& body) {
+    auto& [shape, surface, position, axes, velocity, spin, slot, generation] = body;
+    archive(shape, surface, position, axes[0], axes[1], axes[2], velocity, spin, slot, generation);
+}
+
 } // namespace detail
 
 /// Access to the private members of the list of obstacles.
 struct ObstacleFields {
-    static constexpr std::size_t k_load_bytes = 9 + 4 * 8 * sizeof(double);
+    static constexpr std::size_t k_load_bytes = 9 + 4 * 8 * sizeof(double), k_placed_bytes = 82; ///< and a shape
 
     static void slot(auto& archive, detail::Like<Obstacles::Slot> auto& slot) {
         auto& [obstacle, generation, motion, used, named_here] = slot; // read: named by the wind that was saved
@@ -182,8 +189,8 @@ struct ObstacleFields {
             check(archive, obstacles);
     }
 
-    /// Boxes of the last tick have gone: the next one searches and places again.
-    static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries) {
+    /// Boxes of the last tick have gone: the next one searches and places again. `placed`: the last one placed some.
+    static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries, bool placed) {
         obstacles.make_room();
         obstacles.moving_.reserve(obstacles.motions_.size());
         for (std::uint32_t n = 0; n < obstacles.motions_.size(); ++n)
@@ -196,7 +203,7 @@ struct ObstacleFields {
         obstacles.window_.origin_cells = origin;
         obstacles.boundaries_ = boundaries;
         obstacles.search_ = true;
-        obstacles.changed_ = obstacles.count() > 0;
+        obstacles.changed_ = placed || obstacles.count() > 0;
     }
 
     static void check(detail::Reader& reader, Obstacles& obstacles) {
@@ -222,8 +229,32 @@ struct ObstacleFields {
         reader.require(detail::in_range(obstacles.window_.origin_cells), "its box is out of range.");
     }
 
+    static void check(detail::Reader& reader, const PlacedObstacle& body) {
+        const auto finite = [](glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+        const glm::mat3 square = glm::transpose(body.axes) * body.axes;
+        bool turned = glm::determinant(body.axes) > 0.0f;
+        for (int axis = 0; axis < 3; ++axis)
+            turned = turned && glm::length(square[axis] - glm::mat3(1.0f)[axis]) < 1e-3f;
+        reader.require(finite(body.position) && finite(body.velocity) && finite(body.spin) && turned &&
+                           body.slot < Obstacles::k_capacity && validate(Obstacle{.shape = body.shape, .surface = body.surface}),
+                       "an obstacle of its last step is out of range.");
+    }
+
     static void surface(auto& archive, auto& history, glm::ivec3 size) {
-        auto& [keys, terms, shift, loads, duration] = history;
+        auto& [placed, inside_is_air, keys, terms, shift, loads, duration] = history;
+        auto standing = static_cast<std::uint32_t>(placed.size());
+        archive(standing, inside_is_air);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(standing <= Obstacles::k_capacity, "its last step had more obstacles than fit.");
+            if (!archive.can_hold(standing, k_placed_bytes))
+                return;
+            placed.resize(standing);
+        }
+        for (auto& body : placed) {
+            archive(body);
+            if constexpr (detail::Reading<decltype(archive)>)
+                check(archive, body);
+        }
         auto bodies = static_cast<std::uint32_t>(loads.size());
         archive(bodies, duration);
         if constexpr (detail::Reading<decltype(archive)>) {

@@ -41,8 +41,10 @@ struct SnapshotDraft {
     std::vector<Gap> gaps{};
 };
 
-/// Closed faces of obstacles on a device, in order: 4 times the low cell, plus the axis.
+/// SurfaceHistory without what a device holds.
 struct DeviceSurface {
+    std::vector<PlacedObstacle> placed{};
+    bool inside_is_air = false;
     std::vector<std::uint32_t> keys{};
     glm::ivec3 shift{0}; ///< cells by which the box has moved since they were placed
 };

@@ -207,6 +207,7 @@ Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
     materialise_before();
     auto changed = work.set_boundaries(boundaries);
     air.fresh = air.fresh || (changed && kinds);
+    inside_is_air_ = inside_is_air_ || (changed && kinds); // another periodic axis is another neighbour
     around_stale_ = reading_stale_ = true;
     sampled_.held = false;
     return changed;
@@ -243,7 +244,7 @@ void Cells::apply(const CellChange& change) {
 
 void Cells::fill_air() {
     held_at_ = k_unheld;
-    air.fresh = true;
+    air.fresh = inside_is_air_ = true;
     air.undiffused_time = 0.0f;
     loads.clear();
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
@@ -252,7 +253,7 @@ void Cells::fill_air() {
 void Cells::set(std::span<const glm::vec4> cells) {
     std::transform(cells.begin(), cells.end(), air.velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     held_at_ = wind_.sleep.drift;
-    air.fresh = true;
+    air.fresh = inside_is_air_ = true;
     air.undiffused_time = 0.0f;
     if (!frames.before.empty())
         keep();
@@ -295,6 +296,9 @@ SurfaceHistory Cells::surface_history() const {
     history.duration = loads.duration();
     if (state.solid_keys.empty() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), box().cells)))
         return history; // no cell of the box has any terms
+    if (state.has_solids())
+        history.placed = placed_;
+    history.inside_is_air = inside_is_air_;
     history.keys = state.solid_keys;
     history.terms = state.solid_terms;
     history.shift = unplaced_shift_;
@@ -304,18 +308,26 @@ SurfaceHistory Cells::surface_history() const {
 void Cells::set_surface_history(SurfaceHistory&& history) {
     work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
+    placed_ = std::move(history.placed);
+    put_obstacles(glm::ivec3(0));
+    inside_is_air_ = history.inside_is_air;
     unplaced_shift_ = history.shift;
     reading_stale_ = true;
     loads.restore(std::move(history.loads), history.duration);
 }
 
-void Cells::write_obstacles(std::span<float> cells) const {
-    std::fill(cells.begin(), cells.end(), 0.0f);
-    for (const Solids::InsideCell& cell : inside_bodies()) {
-        const glm::ivec3 place = cell.place - unplaced_shift_;
-        if (glm::all(glm::greaterThanEqual(place, glm::ivec3(0))) && glm::all(glm::lessThan(place, box().cells)))
-            cells[box().index(place.x, place.y, place.z)] = 1.0f;
-    }
+Cells::KeptPotential Cells::kept_potential() const {
+    if (air.fresh || !(potential_weight_ > 0.0f))
+        return {};
+    KeptPotential kept{.weight = potential_weight_, .cells = std::vector<float>(air.velocity.size())};
+    work.state().copy_potential(kept.cells, 1.0f);
+    return kept;
+}
+
+void Cells::set_kept_potential(const KeptPotential& kept) {
+    potential_weight_ = kept.weight;
+    if (kept.weight > 0.0f)
+        work.state().set_potential(kept.cells);
 }
 
 void Cells::shift(const CellChange& change) {
@@ -335,8 +347,10 @@ void Cells::shift(const CellChange& change) {
             for_each_exposed(box().cells, lifts ? CellIndex(change.by.x, 0, change.by.z) : change.by,
                              [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
     };
+    if (lifts) // the lists, which hold in no other rows, go
+        uncover();
     shift_air(air.velocity);
-    if (lifts && work.state().solids) { // no list of theirs holds in other rows
+    if (lifts && work.state().solids) {
         work.state().solids.reset();
         work.state().solid_keys.clear();
         work.state().solid_terms.clear();

@@ -99,8 +99,16 @@ class Cells final : public CellStorage {
     void write_obstacles(std::span<float> cells) const;
     /// [m^2/s^2] The pressure whose gradient the history holds. Throws std::bad_alloc.
     void write_pressure(std::span<float> result);
-    /// Of cells without obstacles: the next step places them.
+    /// Places the obstacles of the last step. Throws std::bad_alloc.
     void set_surface_history(SurfaceHistory&& history);
+
+    /// The potential of the last step's last solve, part of the pressure that acted.
+    struct KeptPotential {
+        float weight = 0.0f;        ///< in what the history keeps of it; 0: it is not known
+        std::vector<float> cells{}; ///< empty where it is not
+    };
+    [[nodiscard]] WINDROW_INTERNAL KeptPotential kept_potential() const;
+    void set_kept_potential(const KeptPotential& kept);
 
     Workspace work;
     TwoLevelAir air;
@@ -153,8 +161,12 @@ class Cells final : public CellStorage {
     class Solving;
     /// Places the obstacles for a sub-step that ends `early` [s] before the step; true where some came, went or moved.
     [[nodiscard]] bool place_obstacles(const CellStep& step, double early, Diagnostics& report);
+    void put_obstacles(glm::ivec3 shift);
+    void uncover();
     template <class Visit>
     void for_each_room(const Visit& visit) const;
+    template <class Visit>
+    void for_each_inside_now(const Visit& visit) const;
     void still_new_rooms();
     [[nodiscard]] double volume_of(std::uint32_t cell) const;
     void bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after);
@@ -215,6 +227,8 @@ class Cells final : public CellStorage {
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
     std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell
     bool place_again_ = false;             ///< memory was missing
+    float potential_weight_ = 0.0f;        ///< as KeptPotential has it
+    bool inside_is_air_ = false;           ///< cells of `placed_` were filled since, and do not hold their velocity
     bool bodies_move_ = false;             ///< some obstacle in the box moves in this step
     MeasuredSpeed measured_;               ///< of the last step
     Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion and mixing; empty while neither acts

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -15,19 +16,16 @@ namespace windrow::cpu {
 bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
     if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))
         return false;
-    Stopwatch watch("windrow obstacles", report.times_ms.obstacles);
     const bool others = step.obstacles_moved || place_again_;
+    if (others || bodies_move_)
+        uncover();
+    Stopwatch watch("windrow obstacles", report.times_ms.obstacles);
     const bool placed = detail::memory_lasts([&] {
         detail::make_room(placed_, step.obstacles.size());
         placed_.assign(step.obstacles.begin(), step.obstacles.end());
         detail::move_back(placed_, early);
-        work.state().set_obstacles(placed_, unplaced_shift_);
+        put_obstacles(unplaced_shift_);
         loads.place(placed_);
-        if (work.state().has_solids()) {
-            const std::size_t sheltered = work.state().solids->sheltered().size();
-            detail::make_room(sheltered_air_, sheltered);
-            sheltered_air_.resize(sheltered);
-        }
     });
     if (placed && work.state().has_solids())
         still_new_rooms();
@@ -41,8 +39,47 @@ bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& rep
     return others;
 }
 
+void Cells::put_obstacles(glm::ivec3 shift) {
+    work.state().set_obstacles(placed_, shift);
+    if (!work.state().has_solids())
+        return;
+    const std::size_t sheltered = work.state().solids->sheltered().size();
+    detail::make_room(sheltered_air_, sheltered);
+    sheltered_air_.resize(sheltered);
+}
+
+// Cells inside hold the body's velocity, but what it leaves is air, which slips along it: before the bodies are placed again, the
+// cells take what a read from outside would find there, with a past.
+void Cells::uncover() {
+    if (!work.state().has_solids() || inside_is_air_)
+        return;
+    if (unplaced_shift_ == glm::ivec3(0))
+        return extend_into_bodies();
+    const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
+    const SolidFlow flow = work.state().solid_flow();
+    if (air.fresh)
+        flow.extend_moved(air.velocity, {}, {}, unplaced_shift_);
+    else
+        flow.extend_moved(air.velocity, air.velocity_old, air.history, unplaced_shift_);
+}
+
 std::span<const Solids::InsideCell> Cells::inside_bodies() const {
     return work.state().solids ? work.state().solids->inside() : std::span<const Solids::InsideCell>();
+}
+
+// visit(n) for each cell of the box of now that was inside.
+template <class Visit>
+void Cells::for_each_inside_now(const Visit& visit) const {
+    for (const Solids::InsideCell& cell : inside_bodies()) {
+        const glm::ivec3 place = cell.place - unplaced_shift_;
+        if (glm::all(glm::greaterThanEqual(place, glm::ivec3(0))) && glm::all(glm::lessThan(place, box().cells)))
+            visit(box().index(place.x, place.y, place.z));
+    }
+}
+
+void Cells::write_obstacles(std::span<float> cells) const {
+    std::fill(cells.begin(), cells.end(), 0.0f);
+    for_each_inside_now([&](std::size_t cell) { cells[cell] = 1.0f; });
 }
 
 // visit(cells) for each closed room.
@@ -127,6 +164,7 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
     Workspace::State::SolidSolve around{
         .keeps_terms = true, .guess_scale = guess_scale, .prescribed = prescribed(), .solves = solves};
     work.state().project(velocity, {}, note, nullptr, &around);
+    potential_weight_ = work.state().other_solve == nullptr && !note.field.empty() ? note.weight : 0.0f;
     if (!work.state().has_solids())
         return;
     report.pressure_residual = around.residual;
@@ -136,19 +174,42 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
     loads.add(work.state().solid_flow(), work.state().potential.data(), has_history ? guess_scale : 0.0f, note.weight, note.kept);
 }
 
-// q = (dt/2) grad p is the gradient of some phi around bodies at rest; the projection finds that phi.
+// The kept q = (dt/2) grad p is w grad phi + k s q_old (shaders/numerics/history.glsl). The phi of the last solve is still there, and its
+// part of the pressure is w phi as it acted. The rest is small where steps are equal, and is solved for anew: the wide difference that
+// measures a gradient misses an eighth of a jump across a body, which would be taken up by a false slope of all the box.
 void Cells::write_pressure(std::span<float> result) {
     std::fill(result.begin(), result.end(), 0.0f);
     if (air.fresh || !(air.dt_old > 0.0f))
         return;
-    Buffer<glm::vec4> gradient(air.history.size());
-    std::copy_n(air.history.data(), air.history.size(), gradient.data());
     Workspace::State& state = work.state();
+    const CellIndex shift = wind_.place.window.origin_cells - wind_.place.stepped.origin_cells;
+    const bool has_potential = potential_weight_ > 0.0f && !(box().rows && shift.y != 0);
+    Buffer<glm::vec4> rest(air.history.size()); // at first -grad phi, and phi in w
+    std::vector<float> potential(has_potential ? rest.size() : 0), remaining(rest.size());
+    if (has_potential) {
+        state.copy_potential(potential, 1.0f);
+        state.set_potential(potential); // with the slopes of faces
+        state.take_gradient({state.potential.data(), state.pressure.pitch()}, rest, {});
+        for (const Solids::InsideCell& cell : inside_bodies())
+            rest[cell.cell] = glm::vec4(0.0f);
+        for (std::size_t n = 0; n < rest.size(); ++n)
+            rest[n].w = potential[n];
+        if (shift != CellIndex(0))
+            shift_field(rest, box().cells, shift, glm::vec4(0.0f));
+    }
+    const float factor = 2.0f * box().cell_size / air.dt_old;
+    for (std::size_t n = 0; n < rest.size(); ++n) {
+        const glm::vec4 acted = potential_weight_ * rest[n];
+        result[n] = factor * acted.w;
+        rest[n] = glm::vec4(glm::vec3(air.history[n]) + glm::vec3(acted), 0.0f);
+    }
     Workspace::State::SolidSolve at_rest{.bodies_move = false, .solves = k_first_solves};
-    state.project(gradient, {}, {}, nullptr, &at_rest);
-    state.copy_potential(result, 2.0f * box().cell_size / air.dt_old);
-    for (const Solids::InsideCell& cell : inside_bodies())
-        result[cell.cell] = 0.0f;
+    state.project(rest, {}, {}, nullptr, &at_rest);
+    state.copy_potential(remaining, factor);
+    std::transform(remaining.begin(), remaining.end(), result.begin(), result.begin(), std::plus());
+    if (has_potential)
+        state.set_potential(potential);
+    for_each_inside_now([&](std::size_t cell) { result[cell] = 0.0f; });
 }
 
 void Cells::seal_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
@@ -224,7 +285,7 @@ void Cells::extend_into_bodies() {
         flow.extend_all(air.velocity, air.velocity_old, air.history);
 }
 
-// Cells inside bodies have no past: where a body leaves them, the air is that of its surface.
+// Cells inside bodies have no past but what uncover gives them.
 void Cells::forget_inside() {
     for (const Solids::InsideCell& cell : inside_bodies()) {
         air.velocity_old[cell.cell] = air.velocity[cell.cell];

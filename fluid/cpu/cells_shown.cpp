@@ -16,11 +16,9 @@ ShownCells SampledCells::shown() const {
     return {.cells = cells, .law = reading->law(), .reading = reading.get(), .low = part.low, .rows_low = part.rows_low};
 }
 
-// The reading of the obstacles as they were placed last. Those of a wind that was loaded are placed with its next step: until then
-// they are placed for readers alone.
+// The reading of the obstacles as they were placed last.
 void Cells::renew_reading() {
     const Workspace::State& state = work.state();
-    const bool loaded = !state.solids && !state.solid_keys.empty();
     Window window = wind_.window();
     if (state.has_solids())
         window.origin_cells -= CellIndex(unplaced_shift_);
@@ -29,13 +27,8 @@ void Cells::renew_reading() {
     reading_.reset();
     reading_stale_ = false;
     reading_origin_ = window.origin_cells;
-    if (loaded) {
-        Solids standing(box(), box().cells.x);
-        standing.place(wind_.obstacles.standing_in(window, config_.boundaries));
-        reading_ = reading_maker_.make(&standing, config_.boundaries, window);
-    } else if (state.has_solids() || wall_law(config_, box()).acts()) {
+    if (state.has_solids() || wall_law(config_, box()).acts())
         reading_ = reading_maker_.make(state.has_solids() ? state.solids.get() : nullptr, config_.boundaries, window);
-    }
 }
 
 void Cells::sample(std::span<const glm::vec4> from, const Window& window, SampledCells& sampled,

@@ -83,7 +83,8 @@ void copy_rows(const Workspace::State& state, const From& from, const To& to, fl
     });
 }
 
-auto padded_rows(Workspace::State& state) {
+template <class State>
+auto padded_rows(State& state) {
     return [&state](int j, int k) {
         return state.potential.data() + (static_cast<std::size_t>(k) * state.box.cells.y + j) * state.pressure.pitch();
     };
@@ -96,8 +97,14 @@ auto dense_rows(const Workspace::State& state, std::span<T> field) {
 
 } // namespace
 
-void Workspace::State::copy_potential(std::span<float> field, float factor) {
+void Workspace::State::copy_potential(std::span<float> field, float factor) const {
     copy_rows(*this, padded_rows(*this), dense_rows(*this, field), factor);
+}
+
+void Workspace::State::set_potential(std::span<const float> field) {
+    copy_rows(*this, dense_rows(*this, field), padded_rows(*this), 1.0f);
+    if (has_solids())
+        solid_flow().closed_slopes(potential.data(), closed_slopes);
 }
 
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result) {
@@ -131,7 +138,13 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
             total += static_cast<double>(cells[n].volume) * term(n);
         return total;
     };
-    // Inside a body no value matters.
+    // In shut cells no value matters, and none is solved for: their part of A is that of a box without an opening, in whose constants
+    // the search would get lost.
+    const auto leave_out_shut = [&](std::vector<float>& terms) {
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            if (cells[n].shut)
+                terms[n] = 0.0f;
+    };
     const auto norm = [&](const auto& term) {
         return std::sqrt(sum([&](std::size_t n) {
             const auto value = static_cast<double>(term(n));
@@ -148,6 +161,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     pressure.solve(potential.data(), scratch.data(), parallel_for);
     watch.emplace("windrow obstacles", obstacles_ms);
     flow.find_residual(potential.data(), solid_terms, guess, closed_slopes, residual_terms);
+    leave_out_shut(residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return residual_terms[n]; }); };
 
     around.solved = 1;
@@ -175,6 +189,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         flow.closed_slopes(direction.data(), closed_slopes);
         std::copy(applied_terms.begin(), applied_terms.end(), masked_terms.begin());
         flow.add_masked(closed_slopes, -1.0f, masked_terms);
+        leave_out_shut(masked_terms);
         const double bent = sum([&](std::size_t n) {
             return static_cast<double>(direction[cells[n].potential]) * static_cast<double>(masked_terms[n]);
         });
@@ -233,6 +248,27 @@ void Workspace::State::set_obstacles(std::span<const PlacedObstacle> obstacles, 
             solid_terms[n] = terms_before[static_cast<std::size_t>(face_origins[n])];
 }
 
+// velocity -= grad phi; of what closed faces pass, `closed_slopes`.
+void Workspace::State::take_gradient(const cpu::Potential& solved, std::span<glm::vec4> velocity, const GradientNote& note) {
+    cpu::GradientTask task{};
+    for (int axis = 0; axis < 3; ++axis)
+        task.cells[axis] = box.cells[axis];
+    task.pitch = solved.pitch;
+    task.potential = solved.rows;
+    std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
+    task.scale = 0.5f;
+    task.row_scales = row_scales();
+    task.velocity = cpu::floats(velocity);
+    task.gradient = cpu::floats(note.field);
+    task.weight = note.weight;
+    task.kept = note.kept;
+    parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
+    if (!has_solids())
+        return;
+    const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
+    solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
+}
+
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                                const cpu::FreeAir* beyond, SolidSolve* around) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
@@ -262,22 +298,9 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     else
         pressure.solve(potential.data(), scratch.data(), parallel_for);
 
-    cpu::GradientTask task{};
-    for (int axis = 0; axis < 3; ++axis)
-        task.cells[axis] = box.cells[axis];
-    task.pitch = solved.pitch;
-    task.potential = solved.rows;
-    std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
-    task.scale = 0.5f;
-    task.row_scales = row_scales();
-    task.velocity = cpu::floats(velocity);
-    task.gradient = cpu::floats(note.field);
-    task.weight = note.weight;
-    task.kept = note.kept;
-    parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
+    take_gradient(solved, velocity, note);
     if (has_solids()) {
         const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
-        solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
         solid_flow().hold_bodies((around != nullptr ? *around : alone).prescribed, around == nullptr || around->bodies_move,
                                  velocity);
     }

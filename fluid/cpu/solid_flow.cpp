@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <span>
 #include <vector>
 
 namespace windrow::cpu {
@@ -43,6 +45,43 @@ float slope_over(const ClosedFace& face, const float* potential) {
     return numerics::windrow_closed_slope(face.closed, potential[face.potential[0]], potential[face.potential[1]]);
 }
 
+// Where fields hold the cells of the lists.
+struct Unmoved {
+    [[nodiscard]] std::uint32_t place_of(std::uint32_t cell) const { return cell; }
+    [[nodiscard]] bool holds(std::uint32_t, std::span<const Solids::GhostSource>) const { return true; }
+};
+
+constexpr std::uint32_t k_nowhere = ~std::uint32_t{0};
+
+// The box has moved since. The fourth component of a velocity marks ghosts that lack some of their sources.
+struct Moved {
+    const Solids& solids;
+    const Box& box;
+    glm::ivec3 shift;
+    std::span<glm::vec4> velocity;
+
+    [[nodiscard]] std::uint32_t place_of(std::uint32_t cell) const {
+        const glm::ivec3 place = solids.place_of(cell) - shift;
+        return glm::all(glm::greaterThanEqual(place, glm::ivec3(0))) && glm::all(glm::lessThan(place, box.cells))
+                   ? static_cast<std::uint32_t>(box.index(place.x, place.y, place.z))
+                   : k_nowhere;
+    }
+    [[nodiscard]] bool holds(std::uint32_t ghost, std::span<const Solids::GhostSource> sources) const {
+        if (ghost == k_nowhere)
+            return false;
+        const bool all = std::all_of(sources.begin(), sources.end(), [&](const Solids::GhostSource& source) {
+            const std::uint32_t from = place_of(source.cell);
+            return from != k_nowhere && velocity[from].w == 0.0f;
+        });
+        if (!all)
+            velocity[ghost].w = 1.0f;
+        return all;
+    }
+};
+
+// Of velocities and, as the third field, the history.
+constexpr auto k_walls = [](const Solids::GhostSource& source, std::size_t field) { return field == 2 ? 0.0f : source.wall; };
+
 // `push` holds the sum of the potential over its surface.
 PressurePush finished(PressurePush push, float cell_size) {
     if (push.wetted > 0.0)
@@ -61,41 +100,61 @@ glm::vec3 SolidFlow::prescribed_at(const PrescribedFlow& prescribed, std::uint32
     return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(prescribed, cell);
 }
 
-// Fields in one pass over the lists, which are long. across(source): the velocity of the wall along a source's normal.
-template <class Across, std::size_t Count>
-void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across) const {
+// Fields in one pass over the lists, which are long. across(source, field): the velocity of the wall along a source's normal. `map`
+// tells where the fields hold a cell of the lists; a ghost that lacks some of its sources stays as it is.
+template <std::size_t Count, class Across, class Map>
+void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across, const Map& map) const {
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();
     for (const Solids::Ghost& ghost : solids_.ghosts()) {
+        const auto of_ghost = sources.subspan(ghost.first, ghost.count);
+        const std::uint32_t to = map.place_of(ghost.cell);
+        if (!map.holds(to, of_ghost))
+            continue;
         std::array<glm::vec4, Count> sums{};
-        for (std::uint32_t n = ghost.first; n < ghost.first + ghost.count; ++n) {
-            const Solids::GhostSource& source = sources[n];
+        for (const Solids::GhostSource& source : of_ghost) {
             const bool slips = source.normal != glm::vec3(0.0f); // in the first layer, which comes first
+            const std::uint32_t from = map.place_of(source.cell);
             for (std::size_t field = 0; field < Count; ++field) {
-                const glm::vec4 value = fields[field][source.cell];
+                const glm::vec4 value = fields[field][from];
                 sums[field] +=
                     slips ? glm::vec4(numerics::windrow_slipped(glm::vec3(value), source.normal, across(source, field)), value.w)
                           : value;
             }
         }
         for (std::size_t field = 0; field < Count; ++field)
-            fields[field][ghost.cell] = ghost.count > 1 ? sums[field] / static_cast<float>(ghost.count) : sums[field];
+            fields[field][to] = ghost.count > 1 ? sums[field] / static_cast<float>(ghost.count) : sums[field];
     }
 }
 
 void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& prescribed) const {
     const bool any = prescribed.any();
-    extend_by(std::array{velocity}, [&](const Solids::GhostSource& source, std::size_t) {
-        return source.wall - (any ? glm::dot(prescribed_at(prescribed, source.cell), source.normal) : 0.0f);
-    });
+    extend_by(
+        std::array{velocity},
+        [&](const Solids::GhostSource& source, std::size_t) {
+            return source.wall - (any ? glm::dot(prescribed_at(prescribed, source.cell), source.normal) : 0.0f);
+        },
+        Unmoved{});
 }
 
 void SolidFlow::extend_history(std::span<glm::vec4> history) const {
-    extend_by(std::array{history}, [](const Solids::GhostSource&, std::size_t) { return 0.0f; });
+    extend_by(
+        std::array{history}, [](const Solids::GhostSource&, std::size_t) { return 0.0f; }, Unmoved{});
 }
 
 void SolidFlow::extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const {
-    extend_by(std::array{velocity, before, history},
-              [](const Solids::GhostSource& source, std::size_t field) { return field == 2 ? 0.0f : source.wall; });
+    extend_by(std::array{velocity, before, history}, k_walls, Unmoved{});
+}
+
+void SolidFlow::extend_moved(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history,
+                             glm::ivec3 shift) const {
+    const Moved map{solids_, box_, shift, velocity};
+    if (history.empty())
+        extend_by(std::array{velocity}, k_walls, map);
+    else
+        extend_by(std::array{velocity, before, history}, k_walls, map);
+    for (const Solids::Ghost& ghost : solids_.ghosts())
+        if (const std::uint32_t at = map.place_of(ghost.cell); at != k_nowhere)
+            velocity[at].w = 0.0f;
 }
 
 void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& prescribed, bool bodies_move,

@@ -27,6 +27,10 @@ class SolidFlow {
     void extend_history(std::span<glm::vec4> history) const;
     /// All that a step reads, where no wind is prescribed.
     void extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const;
+    /// The same, or of the velocity alone where the others are empty, in fields that have moved with their box by `shift` cells since
+    /// the lists were made.
+    void extend_moved(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history,
+                      glm::ivec3 shift) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box. `guessed`,
     /// in surface cells: B phi of `factor` times the slopes of a guess.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& prescribed, bool bodies_move,
@@ -71,8 +75,8 @@ class SolidFlow {
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
     /// What closed faces take from the sums of central_divergence, one a surface cell.
     void find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const;
-    template <class Across, std::size_t Count>
-    void extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across) const;
+    template <std::size_t Count, class Across, class Map>
+    void extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across, const Map& map) const;
 
     const Solids& solids_;
     const Box& box_;

@@ -102,6 +102,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
             advance_second_order(part_dt, report);
         else
             advance_stable_fluids(part_dt, report);
+        inside_is_air_ = false;
     }
     *step.ambient = around_;
     measure(report);
@@ -238,10 +239,12 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
         acting.arrive(prescribed_wind, transport.history_scale, air.history, arrived);
     {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
-        if (config_.stages.projection)
+        if (config_.stages.projection) {
             project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, solves, report);
-        else
+        } else {
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
+            potential_weight_ = 0.0f;
+        }
     }
     add_prescribed(arrived, 1.0f);
     bound_rooms(air.velocity, arrived);

@@ -93,7 +93,9 @@ struct WINDROW_HIDDEN Workspace::State {
     }
     void divergence_to(float* rows, int pitch, const float* velocity, float scale);
     /// field = factor * potential.
-    void copy_potential(std::span<float> field, float factor);
+    void copy_potential(std::span<float> field, float factor) const;
+    /// potential = field, with the slopes over closed faces.
+    void set_potential(std::span<const float> field);
     /// potential -= factor * field.
     void subtract_from_potential(std::span<const float> field, float factor);
     /// Output of a projection: field = weight grad phi + kept field.
@@ -101,6 +103,7 @@ struct WINDROW_HIDDEN Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
+    void take_gradient(const cpu::Potential& solved, std::span<glm::vec4> velocity, const GradientNote& note);
     /// Solution around obstacles: phi = L^-1 (div w + B phi_guess), then steps of conjugate gradients preconditioned by L^-1.
     /// The residual of such a phi is B (phi - phi_guess): 0 away from surface cells.
     struct SolidSolve {

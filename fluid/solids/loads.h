@@ -4,6 +4,7 @@
 // Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26 (pressure on bodies by fractions of faces).
 #pragma once
 
+#include "fluid/obstacle.h"
 #include "fluid/obstacle_force.h"
 
 #include <cstdint>
@@ -49,11 +50,13 @@ struct BodyLoad {
     PressurePush blast{};   ///< changes of `sources` in the step
 };
 
-/// What the pressure around obstacles keeps from step to step, for snapshots.
+/// What the air around obstacles keeps from step to step, for snapshots.
 struct SurfaceHistory {
-    std::vector<std::uint32_t> keys{}; ///< of closed faces, in order: 4 times the low cell, plus the axis
-    std::vector<float> terms{};        ///< one each
-    glm::ivec3 shift{0};               ///< cells by which the box has moved since
+    std::vector<PlacedObstacle> placed{}; ///< in the last step
+    bool inside_is_air = false;           ///< their cells were filled since, and do not hold their velocity
+    std::vector<std::uint32_t> keys{};    ///< of closed faces, in order: 4 times the low cell, plus the axis
+    std::vector<float> terms{};           ///< one each
+    glm::ivec3 shift{0};                  ///< cells by which the box has moved since
     std::vector<BodyLoad> loads{};
     float duration = 0.0f; ///< [s] of the step of the loads
 };

@@ -327,7 +327,7 @@ void Air::begin_anew(VkCommandBuffer commands) {
     barrier(k_compute | k_transfer, k_transfer);
     clear(commands, fields_.control, offsetof(WindrowControl, undiffused_time), 2 * sizeof(float)); // and carried_time
     barrier(k_transfer, k_compute | k_transfer);
-    fresh_ = true;
+    fresh_ = inside_is_air_ = true;
 }
 
 // Cells that the last shift exposed.
@@ -381,8 +381,11 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const bool places = step.obstacles_changed || place_again_ || (bodies_move && substeps > 1);
     const auto early = [&](int part) { return bodies_move ? step.duration * (substeps - part - 1) / substeps : 0.0; };
     const bool others = places && (step.obstacles_moved || place_again_);
+    if (others || (places && bodies_move))
+        uncover(commands, -1);
     if (places)
         place_obstacles(commands, step.obstacles, early(0));
+    inside_is_air_ = false;
     renew_layer(commands, step, places);
     WindrowStep block = block_of(*step.ambient, *step.window, step);
     block.recorded_substeps = substeps;
@@ -438,6 +441,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         substep(commands, passes_.substep(diffusion, around_obstacles(false)), -1, std::nullopt);
     for (int n = 0; n < substeps; ++n) {
         if (bodies_move && n > 0) {
+            uncover(commands, n);
             place_obstacles(commands, step.obstacles, early(n));
             renew_layer(commands, step, true);
         }

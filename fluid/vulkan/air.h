@@ -219,7 +219,9 @@ class Air {
     [[nodiscard]] int obstacle_flags() const { return solids_ ? solids_->flags() : 0; }
     /// As they are `early` [s] before the end of the step.
     void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
-    void restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms);
+    void restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms);
+    /// Before they are placed for a sub-step; -1: the first one of a tick.
+    void uncover(VkCommandBuffer commands, int substep);
     [[nodiscard]] bool finds_forces() const { return settings_.reads.forces > 0; }
     /// Where the history of a slot begins in Fields::around.
     [[nodiscard]] VkDeviceSize history_at(int slot) const;
@@ -238,7 +240,6 @@ class Air {
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
     // What is shown (air_shown.cpp)
     void renew_reading(VkCommandBuffer commands);
-    void renew_reading(VkCommandBuffer commands, const Solids* solids, const Window& window);
     [[nodiscard]] Result<void> write_reading(VkCommandBuffer commands);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
@@ -281,7 +282,7 @@ class Air {
     };
     std::vector<Retired> retired_;               ///< pieces that a slot in flight may still copy; with room for one a slot
     std::unique_ptr<SolidTables> solids_;        ///< null until there is an obstacle
-    std::vector<detail::PlacedObstacle> placed_; ///< scratch
+    std::vector<detail::PlacedObstacle> placed_; ///< in the sub-step
     std::vector<detail::MotorReach> uncovered_;  ///< scratch
     std::optional<SurfaceLayer> layer_;          ///< over rough ground
     std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
@@ -289,6 +290,7 @@ class Air {
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
     glm::ivec3 unplaced_shift_{0};               ///< [cells] of the box since the obstacles were placed
     bool place_again_ = false;
+    bool inside_is_air_ = false;                     ///< cells of `placed_` were filled since, and do not hold their velocity
     std::uint32_t surface_room_ = 0, face_room_ = 0; ///< surface cells and faces that Fields::around holds
     int history_slot_ = 0;
     std::uint32_t body_room_ = 0; ///< bodies whose forces Fields::around holds

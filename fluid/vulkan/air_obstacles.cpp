@@ -39,6 +39,17 @@ void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::Plac
         solids_.reset();
 }
 
+// As Cells::uncover of the CPU.
+void Air::uncover(VkCommandBuffer commands, int substep) {
+    if (!solids_ || !solids_->any() || inside_is_air_)
+        return;
+    place_exposed(commands);
+    keep(commands); // as it was shown
+    barrier(k_transfer | k_compute, k_compute);
+    dispatch(commands, Pass::uncover, WindrowUncoverPush{.shift = unplaced_shift_, .substep = substep, .past = fresh_ ? 0 : 1});
+    barrier(k_compute, k_compute | k_transfer);
+}
+
 bool Air::write_obstacles(VkCommandBuffer commands) {
     if (!solids_->any()) {
         restored_terms_.clear();
@@ -76,13 +87,22 @@ DeviceSurface Air::surface() const {
     if (!solids_ || !solids_->any() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), config_.cells)))
         return {};
     const auto keys = solids_->keys();
-    return {.keys = {keys.begin(), keys.end()}, .shift = unplaced_shift_};
+    return {.placed = placed_, .inside_is_air = inside_is_air_, .keys = {keys.begin(), keys.end()}, .shift = unplaced_shift_};
 }
 
-void Air::restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms) {
-    solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl, finds_forces());
-    solids_->set_keys(std::move(surface.keys));
-    restored_terms_ = std::move(terms);
+// The obstacles of the last step.
+void Air::restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms) {
+    const bool placed = detail::memory_lasts([&] {
+        solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl, finds_forces());
+        solids_->set_keys(std::move(surface.keys));
+        restored_terms_ = std::move(terms);
+        placed_ = std::move(surface.placed);
+        solids_->place(placed_, glm::ivec3(0));
+    });
+    place_again_ = !(placed && write_obstacles(commands));
+    if (place_again_)
+        solids_.reset();
+    inside_is_air_ = surface.inside_is_air;
     unplaced_shift_ = surface.shift;
 }
 

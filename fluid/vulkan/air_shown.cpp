@@ -63,17 +63,13 @@ void Air::renew_reading(VkCommandBuffer commands) {
         window.origin_cells -= CellIndex(unplaced_shift_);
     if (!reading_stale_ && (reading_origin_ == window.origin_cells || !reading_maker_.depends_on_place()))
         return;
-    renew_reading(commands, bodies ? &solids_->solids() : nullptr, window);
-}
-
-void Air::renew_reading(VkCommandBuffer commands, const Solids* solids, const Window& window) {
     reading_stale_ = false;
     reading_origin_ = window.origin_cells;
     const bool was = reading_ != nullptr;
     reading_.reset();
     const bool made = windrow::detail::memory_lasts([&] {
-        if (solids != nullptr || wall_law(config_, box()).acts())
-            reading_ = reading_maker_.make(solids, config_.boundaries, window);
+        if (bodies || wall_law(config_, box()).acts())
+            reading_ = reading_maker_.make(bodies ? &solids_->solids() : nullptr, config_.boundaries, window);
         if ((reading_ || was) && !write_reading(commands))
             throw std::bad_alloc();
     });

@@ -147,14 +147,7 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
         return true;
     };
     window_ = window;
-    if (!air.standing.empty()) { // the next step places them
-        std::unique_ptr<Solids> standing;
-        (void)windrow::detail::memory_lasts([&] {
-            standing = std::make_unique<Solids>(box(), config_.cells.x);
-            standing->place(air.standing);
-        });
-        renew_reading(commands, standing.get(), window);
-    }
+    restore_obstacles(commands, std::move(air.surface), std::move(air.terms));
     // Both sets of textures, from the field that then takes the air.
     const auto show_as = [&](int set, const Window& place) {
         window_ = place;
@@ -182,7 +175,6 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
     set(offsetof(WindrowControl, undiffused_time), air.undiffused_time);
     barrier(k_transfer, k_compute | k_transfer);
     fresh_ = air.fresh;
-    restore_obstacles(std::move(air.surface), std::move(air.terms));
     for (Buffer& field : air.fields)
         if (field.bytes() > 0)
             retired_.push_back({std::move(field), slot_});

@@ -59,6 +59,7 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
         apply(commands, along_ground);
         place_exposed(commands);
     }
+    uncover(commands, -1);
     write_step(commands, block_of(change.ambient, change.window), change.ambient);
     barrier(k_transfer | k_compute, k_compute);
     const auto field = [&](int which, bool ambient) {

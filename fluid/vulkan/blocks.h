@@ -28,7 +28,7 @@ static_assert(sizeof(WindrowReport) == 3 * 16 && sizeof(WindrowPoint) == 4 * 16 
 static_assert(offsetof(WindrowPoint, high) == 16 && offsetof(WindrowPoint, ambient) == 3 * 16);
 static_assert(sizeof(WindrowRow) == 16 && sizeof(WindrowLiftPush) == 16);
 static_assert(sizeof(WindrowStagePush) == 32 && sizeof(WindrowAround) == (9 + 2 * WINDROW_RESIDUAL_GROUPS) * 4);
-static_assert(sizeof(WindrowPlacePush) == 20 && sizeof(WindrowAdjustPush) == 32);
+static_assert(sizeof(WindrowPlacePush) == 20 && sizeof(WindrowUncoverPush) == 20 && sizeof(WindrowAdjustPush) == 32);
 static_assert(sizeof(WindrowMotor) == sizeof(detail::MotorReach));
 
 } // namespace windrow::vulkan

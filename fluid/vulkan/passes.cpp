@@ -35,6 +35,7 @@
 #include "shader_words/stress.h"
 #include "shader_words/surface.h"
 #include "shader_words/terms.h"
+#include "shader_words/uncover.h"
 
 #include <algorithm>
 #include <bit>
@@ -148,8 +149,8 @@ const char* name_of(Pass pass) {
         "place",           "sources",         "source_flow",  "adjust",     "plan",     "limit",   "diffuse",
         "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_one_sided",
         "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "gradient",
-        "rooms",           "terms",           "loads",        "lift",       "show",     "report",  "read_cells",
-        "read_points"};
+        "rooms",           "uncover",         "terms",        "loads",      "lift",     "show",    "report",
+        "read_cells",      "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -229,6 +230,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         over(line, {1, 1, 1},
              {solve})(Pass::rooms, words::rooms,
                       of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
+        a_cell(Pass::uncover, words::uncover, of(f.step, f.control, f.solids, f.velocity, f.history));
         over(lines, {k_load_groups, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
         over(lines, {k_load_groups, 1, 1}, {lines[0]})(
             Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));

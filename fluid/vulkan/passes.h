@@ -41,6 +41,7 @@ enum class Pass : std::uint8_t {
     surface,          ///< ... and how far to go along a further one
     gradient,         ///< what a sub-step ends with
     rooms,            ///< closed rooms: what the wind, sources and rounding would blow there
+    uncover,          ///< what obstacles leave that are to be placed again
     terms,            ///< the pressure's history at the faces of obstacles that were placed again
     loads,            ///< forces on obstacles
     lift,             ///< a box with rows of its own that has risen

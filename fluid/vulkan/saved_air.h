@@ -35,10 +35,8 @@ struct RestoredAir {
     float dt_old = 0.0f;          ///< [s]
     float undiffused_time = 0.0f; ///< [s]
     DeviceSurface surface{};
-    std::vector<float> terms{}; ///< at its faces
-    /// Obstacles as the frames show them, in the box of now; and the places of the boxes of both frames.
-    std::vector<PlacedObstacle> standing{};
-    Window shown{}, shown_before{};
+    std::vector<float> terms{};     ///< at its faces
+    Window shown{}, shown_before{}; ///< the boxes of both frames
 };
 
 } // namespace windrow::vulkan

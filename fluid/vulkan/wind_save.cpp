@@ -92,10 +92,11 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
         put(DeviceState::shown, from.shown);
         put(DeviceState::shown_before, from.shown_before);
     }
-    air.surface = {.keys = std::move(from.surface.keys), .shift = from.surface.shift};
+    air.surface = {.placed = std::move(from.surface.placed),
+                   .inside_is_air = from.surface.inside_is_air,
+                   .keys = std::move(from.surface.keys),
+                   .shift = from.surface.shift};
     air.terms = std::move(from.surface.terms);
-    if (!air.surface.keys.empty())
-        air.standing = from.core.obstacles.standing_in(from.core.window(), from.core.config.boundaries);
     if (from.core.frames) {
         air.shown = from.core.frames->shown.window;
         air.shown_before = from.core.frames->shown_before.window;

@@ -302,6 +302,12 @@ struct WindrowPlacePush {
     int value;
 };
 
+struct WindrowUncoverPush {
+    ivec3 shift; // [cells] of the box since the tables were made
+    int substep; // that is to come; -1: the first one of a tick
+    int past;    // 0: the air has none
+};
+
 struct WindrowAdjustPush {
     vec3 change; // [m/s] of the mean wind
     float factor;

@@ -3,25 +3,6 @@
 #include "numerics/closed_face.glsl"
 #include "numerics/slip.glsl"
 
-struct AirTerm {
-    ivec3 cell;
-    float weight;
-    vec3 normal; // across the surface; 0: none
-    float wall;  // [m/s] the body's velocity along it
-};
-
-AirTerm air_term(int n) {
-    const int at = solids.terms + WINDROW_TERM * n;
-    AirTerm term;
-    term.cell = solid_cell(solid_words[at]);
-    term.weight = solid_float(at + 1);
-    term.normal = vec3(solid_float(at + 2), solid_float(at + 3), solid_float(at + 4));
-    term.wall = solid_float(at + 5);
-    return term;
-}
-
-// Terms of a cell with this record; none for air and for cells deep inside, which are their own.
-int term_count(int record) { return record < 0 ? 0 : solid_words[record + 8]; }
 AirTerm term_of(ivec3 cell, int record, int n) {
     if (term_count(record) > 0)
         return air_term(solid_words[record + 7] + n);

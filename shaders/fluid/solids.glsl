@@ -71,6 +71,27 @@ bool face_is_no_slip(SolidFace face) { return (face.flags & WINDROW_FACE_NO_SLIP
 bool face_end_is_shut(SolidFace face, int end) { return (face.flags & (WINDROW_LOW_SHUT << end)) != 0; }
 bool face_end_is_sheltered(SolidFace face, int end) { return (face.flags & (WINDROW_LOW_SHELTERED << end)) != 0; }
 
+// Of the value of a cell inside that a read from outside reaches (ghosts.glsl).
+struct AirTerm {
+    ivec3 cell;
+    float weight;
+    vec3 normal; // across the surface; 0: none
+    float wall;  // [m/s] the body's velocity along it
+};
+
+AirTerm air_term(int n) {
+    const int at = solids.terms + WINDROW_TERM * n;
+    AirTerm term;
+    term.cell = solid_cell(solid_words[at]);
+    term.weight = solid_float(at + 1);
+    term.normal = vec3(solid_float(at + 2), solid_float(at + 3), solid_float(at + 4));
+    term.wall = solid_float(at + 5);
+    return term;
+}
+
+// Terms of a cell with this record; none for air and for cells deep inside, which are their own.
+int term_count(int record) { return record < 0 ? 0 : solid_words[record + 8]; }
+
 vec3 solid_vec3(int at) { return vec3(solid_float(at), solid_float(at + 1), solid_float(at + 2)); }
 
 // [m/s] Of a body's own point at a place [m from the box's low corner].

@@ -88,8 +88,11 @@ void begin(int local) {
             slope *= exchange(cell, face / 2, face % 2);
             residual += face % 2 == 1 ? slope : -slope;
         }
-        around_words[word(s, k_residual)] = residual;
-        if (!record_is(record, WINDROW_SHUT)) { // inside a body no value matters
+        // In shut cells no value matters, and none is solved for: their part of A is that of a box without an opening, in whose
+        // constants the search would get lost.
+        const bool shut = record_is(record, WINDROW_SHUT);
+        around_words[word(s, k_residual)] = shut ? 0.0f : residual;
+        if (!shut) {
             const float wanted = right_hand_side(record, cell);
             squares += row_volume(cell.y) * vec2(wanted * wanted, residual * residual);
         }
@@ -149,6 +152,8 @@ void improve(int local) {
                                                      around_words[word(between.surface[1], k_along)]);
             applied += face % 2 == 1 ? -slope : slope;
         }
+        if (record_is(record, WINDROW_SHUT))
+            applied = 0.0f;
         around_words[word(s, 3)] = applied;
         part += row_volume(cell.y) * around_words[word(s, k_along)] * applied;
     }
@@ -159,8 +164,7 @@ void improve(int local) {
     for (int s = local; s < solids.surface_count; s += k_group) {
         const float residual = around_words[word(s, k_residual)] - alpha * around_words[word(s, 3)];
         around_words[word(s, k_residual)] = residual;
-        if (!record_is(solid_words[solids.surface + 2 * s], WINDROW_SHUT))
-            left.x += row_volume(surface_cell(s).y) * residual * residual;
+        left.x += row_volume(surface_cell(s).y) * residual * residual;
     }
     left = total(left);
     if (local == 0) { // all have read them, since total() ends with a barrier

@@ -62,14 +62,18 @@ TEST(ObstacleForces, AreTheMomentumThatAProjectionTakes) {
     EXPECT_LT(glm::length(lost - got), 1e-4 * glm::length(got)) << glm::length(got);
 }
 
+// Places against the cells that a mean is over.
+glm::dvec3 place_beside(int n, double cell_size) {
+    return cell_size * glm::dvec3(n * 0.37 - std::floor(n * 0.37), n * 0.61 - std::floor(n * 0.61), n * 0.23);
+}
+
 // The mean force along x on a body in a wind of 10 m/s, over its area and the dynamic pressure, and over places against the cells. Of one
 // that moves the air is still and the box follows it.
-double drag_of(const Shape& shape, double area, bool moves, double rate) {
+double drag_of(const Shape& shape, double area, bool moves, double rate, int places = sampled(6, 4)) {
     constexpr double k_speed = 10.0, k_from = 0.6, k_to = 1.8; // [m/s, s, s]
-    const int places = sampled(6, 4);
     double mean = 0.0;
     for (int n = 0; n < places; ++n) {
-        const glm::dvec3 beside = 0.25 * glm::dvec3(n * 0.37 - std::floor(n * 0.37), n * 0.61 - std::floor(n * 0.61), n * 0.23);
+        const glm::dvec3 beside = place_beside(n, 0.25);
         Wind wind = made({.cells = {56, 32, 32},
                           .cell_size = 0.25f,
                           .ambient = {moves ? 0.0f : static_cast<float>(k_speed), 0.0f, 0.0f},
@@ -95,18 +99,24 @@ double drag_of(const Shape& shape, double area, bool moves, double rate) {
     return mean;
 }
 
-// A block that moves through still air and one at rest in a wind are one flow. Where the impulse that cells inside take counts as force,
-// it is counted anew in each step: .15 and .47 apart, and .18 between the rates. What is left is of cells that a body uncovers.
+// A body that moves through still air and one at rest in a wind are one flow. Where the impulse that cells inside take counts as force,
+// it is counted anew in each step: a long block is .47 apart, and .18 between the rates. Where the cells that a body leaves begin with
+// its velocity, a ball is 2.2 apart. What is left is of bodies at rest: a block's .45 to .85 and a ball's .02 to .17 depend on its place
+// against the cells, while one that moves passes all of them and has the published .9 of a block.
 TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
-    constexpr double k_area = 2.25; // [m^2]
+    constexpr double k_area = 2.25, k_disc = std::numbers::pi * 2.25; // [m^2]
     struct Case {
         const char* name;
         Shape shape;
-        double most; // of the difference over the force at rest
+        double area, most;          // [m^2]; of the difference over the force at rest
+        int places = sampled(6, 4); // at rest
     };
-    const Case cases[] = {{"flat", Block{{0.26f, 0.75f, 0.75f}}, 0.1}, {"long", Block{{1.5f, 0.75f, 0.75f}}, 0.4}};
+    const Case cases[] = {{"flat", Block{{0.26f, 0.75f, 0.75f}}, k_area, 0.2},
+                          {"long", Block{{1.5f, 0.75f, 0.75f}}, k_area, 0.4},
+                          {"ball", Sphere{1.5f}, k_disc, 0.2, 12}};
     for (const Case& one : cases) {
-        const double rests = drag_of(one.shape, k_area, false, 60.0), moves = drag_of(one.shape, k_area, true, 60.0);
+        const double rests = drag_of(one.shape, one.area, false, 60.0, one.places),
+                     moves = drag_of(one.shape, one.area, true, 60.0);
         const std::string name = std::string("forces/frames/") + one.name;
         figure(name + "/rests", rests);
         figure(name + "/moves", moves);
@@ -114,6 +124,137 @@ TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
     }
     const double slow = drag_of(cases[1].shape, k_area, true, 60.0), fast = drag_of(cases[1].shape, k_area, true, 240.0);
     WINDROW_EXPECT_FIGURE("forces/frames/long/60_against_240_hz", std::abs(fast - slow) / slow, 0.12);
+}
+
+// A ball through still air, a third of a cell a step: no air is faster than it, and the air outside has what it was given. Where the
+// cells that it leaves begin with its velocity, some air is 1.6 times as fast, and 6 cells wide it has 1.4 of the impulse.
+TEST(ObstacleForces, ABallGivesStillAirItsImpulse) {
+    constexpr double k_speed = 10.0, k_cell = 0.25;
+    constexpr double k_dt = k_cell / (3.0 * k_speed);
+    for (const int across : {6, 12}) {
+        double fastest = 0.0, part = 0.0;
+        const int places = sampled(4, 2);
+        for (int n = 0; n < places; ++n) {
+            const glm::dvec3 start = place_beside(n, k_cell) + glm::dvec3(10.0 * k_cell, 0.0, 0.0);
+            const int wide = 16 + 5 * across / 3;
+            Wind wind = made({.cells = {56 + across, wide, wide}, .cell_size = float(k_cell), .relaxation_time = 0.0f});
+            const double radius = 0.5 * across * k_cell;
+            const ObstacleId ball = *wind.obstacles().add({.position = start, .shape = Sphere{float(radius)}});
+            glm::dvec3 place = start, given(0.0), got(0.0);
+            for (double way = 0.0; way < 24.0 * k_cell;) {
+                way += k_speed * k_dt;
+                place = start - glm::dvec3(way, 0.0, 0.0);
+                ASSERT_TRUE(wind.obstacles().move(ball, place));
+                (void)wind.step(k_dt);
+                given -= k_dt / double(k_air_density) * force_on(wind, ball);
+                if (way > 6.0 * k_cell)
+                    for (const glm::vec4& u : wind.field())
+                        fastest = std::max(fastest, double(glm::length(glm::vec3(u))) / k_speed);
+            }
+            const Box box = wind.box();
+            for (std::size_t cell = 0; cell < box.cell_count(); ++cell) {
+                const int at = int(cell), i = at % box.cells.x, j = at / box.cells.x % box.cells.y,
+                          k = at / (box.cells.x * box.cells.y);
+                if (glm::length(wind.origin() + glm::dvec3(box.centre(i, j, k)) - place) > radius)
+                    got += std::pow(k_cell, 3) * glm::dvec3(wind.field()[cell]);
+            }
+            part += got.x / given.x / places;
+        }
+        const std::string name = "forces/still_air/" + std::to_string(across) + "_cells";
+        WINDROW_EXPECT_FIGURE(name + "/fastest", fastest, 1.15);
+        figure(name + "/momentum_over_impulse", part);
+        EXPECT_GE(part, 0.9) << name;
+        EXPECT_LE(part, 1.2) << name;
+    }
+}
+
+// [m^4/s^2] Along x, per second through the sides of a part of the box, low <= cell < high: what the wind carries out, and its pressure.
+double leaving(const Wind& wind, std::span<const float> pressure, glm::ivec3 low, glm::ivec3 high) {
+    const Box box = wind.box();
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int k = low.z; k < (axis == 2 ? low.z + 1 : high.z); ++k)
+            for (int j = low.y; j < (axis == 1 ? low.y + 1 : high.y); ++j)
+                for (int i = low.x; i < (axis == 0 ? low.x + 1 : high.x); ++i)
+                    for (const int end : {0, 1}) {
+                        glm::ivec3 cell(i, j, k), beyond(i, j, k);
+                        cell[axis] = end == 0 ? low[axis] : high[axis] - 1;
+                        beyond[axis] = cell[axis] + (end == 0 ? -1 : 1);
+                        const std::size_t a = box.index(cell.x, cell.y, cell.z), b = box.index(beyond.x, beyond.y, beyond.z);
+                        const glm::dvec3 u = 0.5 * (glm::dvec3(wind.field()[a]) + glm::dvec3(wind.field()[b]));
+                        const double p = axis == 0 ? 0.5 * (double(pressure[a]) + double(pressure[b])) : 0.0;
+                        sum += (end == 0 ? -1.0 : 1.0) * (u.x * u[axis] + p);
+                    }
+    return sum * std::pow(double(box.cell_size), 2);
+}
+
+// [m^4/s^2] What the pressure does to the faces that bodies close across x.
+double pressed(Wind& wind, std::span<const float> pressure) {
+    const Solids& solids = *wind.state().cells.work.state().solids;
+    double sum = 0.0;
+    for (const ClosedFace& face : solids.faces())
+        if (face.axis == 0)
+            sum += double(face.closed) * (double(pressure[face.cell[0]]) - double(pressure[face.cell[1]]));
+    return sum * std::pow(double(wind.box().cell_size), 2);
+}
+
+// What the wind loses between planes around a body is the force on it, and the pressure across a plate is that force. A pressure that is
+// solved for from its gradient alone misses a twelfth of the jump; it also slopes through all of the box, so that planes beyond each
+// other lose different momenta.
+TEST(ObstacleForces, AreThePressureAndTheMomentumLost) {
+    constexpr double k_cell = 0.25, k_dt = 1.0 / 60.0;
+    constexpr glm::ivec3 k_low(8, 6, 6), k_high(48, 26, 26);
+    const glm::quat across = turned_about(90.0);
+    struct Case {
+        const char* name;
+        Obstacle body;
+        double least, most;
+    };
+    const Case cases[] = {{"plate", {.orientation = across, .shape = Plate{{1.0f, 1.0f}}}, 0.95, 1.08},
+                          {"cube", {.shape = Block{{1.0f, 1.0f, 1.0f}}}, 0.95, 1.12},
+                          {"sphere", {.shape = Sphere{1.0f}}, 0.9, 1.4}};
+    for (const Case& one : cases) {
+        double ratio = 0.0, over_plate = 0.0;
+        const int places = sampled(8, 4);
+        for (int n = 0; n < places; ++n) {
+            Wind wind = made(
+                {.cells = {56, 32, 32}, .cell_size = float(k_cell), .ambient = {10.0f, 0.0f, 0.0f}, .relaxation_time = 0.0f});
+            Obstacle body = one.body;
+            body.position = place_beside(n, k_cell);
+            const ObstacleId id = *wind.obstacles().add(body);
+            std::vector<float> pressure(wind.box().cell_count());
+            const auto held = [&] { // [m^4/s] by the air between the planes
+                double sum = 0.0;
+                for (int k = k_low.z; k < k_high.z; ++k)
+                    for (int j = k_low.y; j < k_high.y; ++j)
+                        for (int i = k_low.x; i < k_high.x; ++i)
+                            sum += double(wind.field()[wind.box().index(i, j, k)].x);
+                return sum * std::pow(k_cell, 3);
+            };
+            take_steps(wind, 60, k_dt);
+            ASSERT_TRUE(wind.write_pressure(pressure));
+            double lost = held(), taken = 0.0, leaves = leaving(wind, pressure, k_low, k_high), on_faces = 0.0, force = 0.0;
+            for (int step = 0; step < 60; ++step) {
+                (void)wind.step(k_dt);
+                ASSERT_TRUE(wind.write_pressure(pressure));
+                const double now = leaving(wind, pressure, k_low, k_high);
+                lost -= 0.5 * k_dt * (leaves + now);
+                leaves = now;
+                taken += k_dt / double(k_air_density) * force_on(wind, id).x;
+                on_faces += pressed(wind, pressure);
+                force += force_on(wind, id).x / double(k_air_density);
+            }
+            ratio += (lost - held()) / taken / places;
+            over_plate += on_faces / force / places;
+        }
+        const std::string name = std::string("forces/balance/") + one.name;
+        figure(name + "/lost_over_force", ratio);
+        EXPECT_GE(ratio, one.least) << name;
+        EXPECT_LE(ratio, one.most) << name;
+        if (std::holds_alternative<Plate>(one.body.shape)) {
+            WINDROW_EXPECT_FIGURE(name + "/pressure_apart", std::abs(over_plate - 1.0), 0.01);
+        }
+    }
 }
 
 struct Story {
@@ -196,7 +337,7 @@ TEST(ObstacleForces, ABallThatSpeedsUpHasHalfItsMassAdded) {
         const std::string name = "forces/ball/solves_" + std::to_string(solves);
         figure(name + "/first_step", first);
         figure(name + "/later", later);
-        EXPECT_NEAR(first, 0.5, solves == 40 ? 0.04 : 0.15);
+        EXPECT_NEAR(first, 0.5, solves == 40 ? 0.04 : solves == 2 ? 0.05 : 0.15);
         EXPECT_NEAR(later, 0.5, 0.05);
     }
 }

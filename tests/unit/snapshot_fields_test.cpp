@@ -216,12 +216,12 @@ TEST(SnapshotFields, TakesSoManyBytesACell) {
     WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_fresh", per_cell(wind), 16.1);
     ASSERT_TRUE(wind.motors().add(DirectionalMotor{}));
     (void)wind.step(0.02);
-    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_stepped", per_cell(wind), 48.1);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_stepped", per_cell(wind), 52.1);
     ASSERT_TRUE(wind.motors().add(OmniMotor{}));
     (void)wind.step(0.02);
-    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_sources_of_air", per_cell(wind), 64.1);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_sources_of_air", per_cell(wind), 68.1);
     (void)wind.advance(0.05);
-    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_all", per_cell(wind), 112.1);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_all", per_cell(wind), 116.1);
 }
 
 } // namespace
