@@ -46,14 +46,9 @@ glm::vec3 metres(const Window& window, glm::dvec3 position) {
     return glm::vec3(window.local_rounded(position) * window.units());
 }
 
-// To what the cells at a height [m] can hold.
-float widened(float radius, const Window& window, float height) {
-    float size = window.cell_size;
-    if (window.rows) {
-        const int row = static_cast<int>(std::clamp(window.rows->place(static_cast<double>(height)), 0.0, window.cells.y - 1.0));
-        size = std::max(size, static_cast<float>(window.rows->thickness(row)));
-    }
-    return numerics::windrow_widened(radius, size);
+// To what the cells can hold. Rows may be thicker: they take a mean over their thickness.
+float widened(float radius, const Window& window) {
+    return numerics::windrow_widened(radius, window.cell_size);
 }
 
 float cubed(float x) {
@@ -71,12 +66,12 @@ bool cover_cone(MotorReach& reach, const Window& window) {
 float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float end_radius, const Window& window) {
     const float length = glm::length(axis);
     // A column shorter than three cells could also fall between them. It is lengthened about its middle.
-    const float wide_length = 2.0f * widened(0.5f * length, window, reach.centre.y);
+    const float wide_length = 2.0f * widened(0.5f * length, window);
     const glm::vec3 direction = axis / length;
     reach.centre -= 0.5f * (wide_length - length) * direction;
     reach.extent = wide_length * direction;
-    reach.radius = widened(start_radius, window, reach.centre.y);
-    reach.end_radius = widened(end_radius, window, reach.centre.y + reach.extent.y);
+    reach.radius = widened(start_radius, window);
+    reach.end_radius = widened(end_radius, window);
     const auto volume = [](float column, float start, float end) {
         const float sum = 0.5f * (start + end), difference = 0.5f * (end - start);
         return column * (sum * sum + difference * difference / 7.0f);
@@ -92,13 +87,13 @@ struct RegionReach {
 
     float operator()(const Sphere& sphere) const {
         reach.shape = MotorReach::Shape::sphere;
-        reach.radius = widened(sphere.radius, window, reach.centre.y);
+        reach.radius = widened(sphere.radius, window);
         return within(glm::vec3(reach.radius)) ? cubed(sphere.radius / reach.radius) : 0.0f;
     }
     float operator()(const Capsule& capsule) const {
         reach.shape = MotorReach::Shape::capsule;
         reach.extent = capsule.half_axis;
-        reach.radius = widened(capsule.radius, window, reach.centre.y);
+        reach.radius = widened(capsule.radius, window);
         // Volume of the weight: a ball's 32 pi R^3 / 105 and pi R^2 / 3 for each metre of axis.
         const float length = 2.0f * glm::length(capsule.half_axis);
         const auto volume = [&](float radius) { return radius * radius * (32.0f / 105.0f * radius + length / 3.0f); };
@@ -108,7 +103,7 @@ struct RegionReach {
         reach.shape = MotorReach::Shape::box;
         float share = 1.0f;
         for (int axis = 0; axis < 3; ++axis) {
-            reach.extent[axis] = widened(box.half_size[axis], window, reach.centre.y);
+            reach.extent[axis] = widened(box.half_size[axis], window);
             share *= box.half_size[axis] / reach.extent[axis];
         }
         return within(reach.extent) ? share : 0.0f;
@@ -253,8 +248,8 @@ struct Preparation {
         MotorReach& whirl = reach[0];
         whirl.centre = metres(window, track.middle());
         whirl.shape = MotorReach::Shape::vortex;
-        whirl.radius = widened(motor.radius, window, whirl.centre.y);
-        const float half_length = widened(motor.half_length, window, whirl.centre.y);
+        whirl.radius = widened(motor.radius, window);
+        const float half_length = widened(motor.half_length, window);
         whirl.extent = half_length * motor.axis;
         whirl.lift = motor.lift;
         // Conserves its angular impulse: arm times volume.
@@ -279,8 +274,7 @@ struct Preparation {
     // velocity on the segment.
     int operator()(const WakeMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        const float height = path.empty() ? 0.0f : metres(window, path.front().start).y;
-        const float radius = widened(motor.radius, window, height);
+        const float radius = widened(motor.radius, window);
         const float share = strength * cubed(motor.radius / radius);
         int count = 0;
         for (const Track::Segment& piece : path) {

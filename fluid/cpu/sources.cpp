@@ -35,35 +35,81 @@ void weigh_row(const MotorReach& motor, glm::vec3 row, float cell_size, float* w
 constexpr void (*k_weigh_row[])(const MotorReach&, glm::vec3, float, float*) = {
     weigh_row<0>, weigh_row<1>, weigh_row<2>, weigh_row<3>, weigh_row<4>, weigh_row<5>, weigh_row<6>}; // by shape
 
-// Calls visit(i, contribution) for the cells of one row that the motor reaches.
+// [m] Where a row of cells is, and how thick.
+struct RowPlace {
+    glm::vec3 centre; ///< of its first cell
+    float low, thickness;
+};
+
+RowPlace row_at(const Box& box, int j, int k) {
+    RowPlace row{.centre = box.centre(0, j, k), .low = 0.0f, .thickness = 0.0f};
+    if (box.rows) {
+        row.low = static_cast<float>(box.rows->face(j));
+        row.thickness = static_cast<float>(box.rows->thickness(j));
+    }
+    return row;
+}
+
+// push(p, weight) of a motor with its eddies.
 template <class Visit>
-void for_each_cell(const MotorReach& motor, glm::vec3 row, float cell_size, const numerics::TileView& tile, const Visit& visit) {
-    std::array<float, k_max_axis_cells> weights;
+void with_push(const MotorReach& motor, const numerics::TileView& tile, const Visit& visit) {
     const auto shape = static_cast<std::uint32_t>(motor.shape);
-    const bool axial = shape == numerics::windrow_vortex && motor.law == MotorReach::Law::force;
-    (axial ? weigh_row<numerics::windrow_vortex, numerics::windrow_force> : k_weigh_row[shape])(motor, row, cell_size,
-                                                                                                weights.data());
-    const auto along = [&](const auto& push) {
-        for (int i = motor.low.x; i < motor.high.x; ++i) {
-            const float weight = weights[i - motor.low.x];
-            if (!(weight > 0.0f))
-                continue;
-            const glm::vec3 p(row.x + cell_size * static_cast<float>(i), row.y, row.z);
-            Contribution at{weight, push(p)};
+    const auto with_eddies = [&](const auto& steady) {
+        visit([&](glm::vec3 p, float weight) {
+            glm::vec3 push = steady(p);
             if (motor.eddies > 0.0f)
-                at.push += numerics::windrow_motor_eddies(shape, weight, motor.eddies) *
-                           numerics::windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
-            visit(i, at);
-        }
+                push += numerics::windrow_motor_eddies(shape, weight, motor.eddies) *
+                        numerics::windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
+            return push;
+        });
     };
     const glm::vec3 centre = motor.centre, extent = motor.extent, given = motor.push;
     const float radius = motor.radius, end_radius = motor.end_radius, lift = motor.lift;
     if (shape == numerics::windrow_jet || shape == numerics::windrow_vortex)
-        along([&](glm::vec3 p) {
+        with_eddies([&](glm::vec3 p) {
             return numerics::windrow_motor_push(shape, p - centre, given, extent, radius, end_radius, lift);
         });
     else
-        along([&](glm::vec3) { return given; });
+        with_eddies([&](glm::vec3) { return given; });
+}
+
+// Calls visit(i, contribution) for the cells of one row that the motor reaches.
+template <class Visit>
+void for_each_cell(const MotorReach& motor, const RowPlace& place, float cell_size, const numerics::TileView& tile,
+                   const Visit& visit) {
+    const glm::vec3 row = place.centre;
+    const auto shape = static_cast<std::uint32_t>(motor.shape), law = static_cast<std::uint32_t>(motor.law);
+    const int heights =
+        numerics::windrow_motor_heights(shape, motor.extent, motor.radius, motor.end_radius, place.thickness, cell_size);
+    if (heights > 1) {
+        with_push(motor, tile, [&](const auto& push) {
+            for (int i = motor.low.x; i < motor.high.x; ++i) {
+                Contribution sum{0.0f, glm::vec3(0.0f)};
+                for (int k = 0; k < heights; ++k) {
+                    const float part = (static_cast<float>(k) + 0.5f) / static_cast<float>(heights);
+                    const glm::vec3 p(row.x + cell_size * static_cast<float>(i), place.low + place.thickness * part, row.z);
+                    const float weight =
+                        numerics::windrow_motor_weight(shape, law, p, motor.centre, motor.extent, motor.radius, motor.end_radius);
+                    if (!(weight > 0.0f))
+                        continue;
+                    sum.weight += weight;
+                    sum.push += weight * push(p, weight);
+                }
+                if (sum.weight > 0.0f)
+                    visit(i, Contribution{sum.weight / static_cast<float>(heights), sum.push / sum.weight});
+            }
+        });
+        return;
+    }
+    std::array<float, k_max_axis_cells> weights;
+    const bool axial = shape == numerics::windrow_vortex && motor.law == MotorReach::Law::force;
+    (axial ? weigh_row<numerics::windrow_vortex, numerics::windrow_force> : k_weigh_row[shape])(motor, row, cell_size,
+                                                                                                weights.data());
+    with_push(motor, tile, [&](const auto& push) {
+        for (int i = motor.low.x; i < motor.high.x; ++i)
+            if (const float weight = weights[i - motor.low.x]; weight > 0.0f)
+                visit(i, Contribution{weight, push(glm::vec3(row.x + cell_size * static_cast<float>(i), row.y, row.z), weight)});
+    });
 }
 
 // Zeroes low <= i < high of a row, and any gap between that range and `cleared`, the range zeroed before.
@@ -193,7 +239,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, const Box& bo
         glm::vec4* const force_row = force_.data() + row * cells_.x;
         glm::vec4* const drives = drives_.data() + row * cells_.x;
         float* const expansion_row = expansion_.data() + row * cells_.x;
-        const glm::vec3 first_centre = box.centre(0, j, k);
+        const RowPlace place = row_at(box, j, k);
         bool holds_force = false;
         int cleared[2] = {cells_.x, 0};
         int drive_low = cells_.x, drive_high = 0;
@@ -208,12 +254,12 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, const Box& bo
                 if (!holds_force)
                     std::fill_n(force_row, cells_.x, glm::vec4(0.0f));
                 holds_force = true;
-                for_each_cell(motor, first_centre, cell_size, tile,
+                for_each_cell(motor, place, cell_size, tile,
                               [&](int i, const Contribution& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
                 break;
             case MotorReach::Law::drive:
                 clear(drives, motor.low.x, motor.high.x, cleared);
-                for_each_cell(motor, first_centre, cell_size, tile, [&](int i, const Contribution& at) {
+                for_each_cell(motor, place, cell_size, tile, [&](int i, const Contribution& at) {
                     drive_low = std::min(drive_low, i);
                     drive_high = std::max(drive_high, i + 1);
                     const float exponent = at.weight * motor.amount;
@@ -221,7 +267,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, const Box& bo
                 });
                 break;
             case MotorReach::Law::source:
-                for_each_cell(motor, first_centre, cell_size, tile,
+                for_each_cell(motor, place, cell_size, tile,
                               [&](int i, const Contribution& at) { expansion_row[i] += at.weight * motor.amount; });
                 break;
             }

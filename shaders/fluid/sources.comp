@@ -32,6 +32,53 @@ shared uint group_in_rows;
 
 vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
 
+// Weight of a motor in a cell, and its push there.
+struct Effect {
+    float weight;
+    vec3 push;
+};
+
+Effect effect_at(int n, vec3 p) {
+    const uint shape = motors[n].shape;
+    const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent);
+    const float radius = motors[n].radius, end_radius = motors[n].end_radius;
+    Effect effect;
+    effect.push = vec3(0.0f);
+    effect.weight = windrow_motor_weight(shape, motors[n].law, p, centre, extent, radius, end_radius);
+    if (!(effect.weight > 0.0f))
+        return effect;
+    effect.push = windrow_motor_push(shape, p - centre, from(motors[n].push), extent, radius, end_radius, motors[n].lift);
+    if (motors[n].eddies > 0.0f)
+        effect.push += windrow_motor_eddies(shape, effect.weight, motors[n].eddies) *
+                       windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
+    return effect;
+}
+
+Effect effect_in(int n, ivec3 cell) {
+    vec3 p = centre_of(cell);
+    if (!k_own_rows)
+        return effect_at(n, p);
+    const float low = 0.5f * (row_height(cell.y - 1) + row_height(cell.y)),
+                thickness = 0.5f * (row_height(cell.y) + row_height(cell.y + 1)) - low;
+    const int heights = windrow_motor_heights(motors[n].shape, from(motors[n].extent), motors[n].radius, motors[n].end_radius,
+                                              thickness, tick.cell_size);
+    if (heights == 1)
+        return effect_at(n, p);
+    Effect sum;
+    sum.weight = 0.0f;
+    sum.push = vec3(0.0f);
+    for (int k = 0; k < heights; ++k) {
+        p.y = low + thickness * ((float(k) + 0.5f) / float(heights));
+        const Effect each = effect_at(n, p);
+        sum.weight += each.weight;
+        sum.push += each.weight * each.push;
+    }
+    if (sum.weight > 0.0f)
+        sum.push /= sum.weight;
+    sum.weight /= float(heights);
+    return sum;
+}
+
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (gl_LocalInvocationIndex == 0) {
@@ -42,7 +89,6 @@ void main() {
     barrier();
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
-        const vec3 p = centre_of(cell);
         vec3 pushed = vec3(0.0f);
         vec4 driven = vec4(0.0f);
         float let_in = 0.0f;
@@ -52,23 +98,17 @@ void main() {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
                 any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
                 continue;
-            const uint shape = motors[n].shape, law = motors[n].law;
-            const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent);
-            const float radius = motors[n].radius, end_radius = motors[n].end_radius;
-            const float weight = windrow_motor_weight(shape, law, p, centre, extent, radius, end_radius);
-            if (!(weight > 0.0f))
+            const Effect effect = effect_in(n, cell);
+            if (!(effect.weight > 0.0f))
                 continue;
-            vec3 each = windrow_motor_push(shape, p - centre, from(motors[n].push), extent, radius, end_radius, motors[n].lift);
-            if (motors[n].eddies > 0.0f)
-                each += windrow_motor_eddies(shape, weight, motors[n].eddies) *
-                        windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
+            const uint law = motors[n].law;
             if (law == windrow_force) {
-                pushed += weight * each;
+                pushed += effect.weight * effect.push;
             } else if (law == windrow_drive) {
-                const float exponent = weight * motors[n].amount;
-                driven += vec4(exponent * each, exponent);
+                const float exponent = effect.weight * motors[n].amount;
+                driven += vec4(exponent * effect.push, exponent);
             } else {
-                let_in += weight * motors[n].amount;
+                let_in += effect.weight * motors[n].amount;
             }
         }
         if (tick.exposes != 0 && is_exposed(cell, tick.shift)) {

@@ -167,6 +167,19 @@ WINDROW_FN vec3 windrow_driven(vec3 u, vec4 drives, float exponent) {
     return drives.w > 0.0f ? u + (1.0f - exp(-exponent)) * (vec3(drives) / drives.w - u) : u;
 }
 
+// A row of cells that is thicker than the others takes the mean of a motor over its thickness, at so many heights, a quarter of the
+// motor's radius apart.
+WINDROW_FN int windrow_motor_heights(uint shape, vec3 extent, float radius, float end_radius, float thickness, float cell_size) {
+    if (!(thickness > cell_size))
+        return 1;
+    float smallest = shape == windrow_box ? extent.y : radius;
+    if (shape == windrow_cone || shape == windrow_jet)
+        smallest = min(radius, end_radius);
+    else if (shape == windrow_vortex)
+        smallest = min(radius, length(extent));
+    return int(clamp(ceil(4.0f * thickness / smallest), 1.0f, 64.0f));
+}
+
 // How thin a region may be: in cells, as a radius. Below it, cells could fall between.
 WINDROW_FN float windrow_widened(float radius, float cell_size) { return max(radius, 1.5f * cell_size); }
 

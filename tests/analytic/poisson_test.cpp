@@ -26,7 +26,7 @@ constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::iv
 constexpr std::array k_solved_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33),
                                        glm::ivec3(64, 1, 64)};
 
-Boundaries mix(int x, int y, int z) {
+Boundaries mixed_kinds(int x, int y, int z) {
     return sides_of({k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]});
 }
 
@@ -63,8 +63,8 @@ TEST(Poisson, EveryMixOfSidesOfATinyBoxIsSolved) {
     int count = 0;
     for (const glm::ivec3 cells : k_tiny)
         for (int n = 0; n < 1000; ++n, ++count)
-            worst =
-                std::max(worst, solve_noise({.cells = cells, .boundaries = mix(n % 10, n / 10 % 10, n / 100)}, random).residual);
+            worst = std::max(
+                worst, solve_noise({.cells = cells, .boundaries = mixed_kinds(n % 10, n / 10 % 10, n / 100)}, random).residual);
     figures::report("poisson.tiny_boxes", count);
     expect_at_most("poisson.tiny_residual", worst, 1e-5);
 }
@@ -74,7 +74,7 @@ TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
     for (const glm::ivec3 cells : k_solved_sizes) {
         double worst = 0.0, worst_scaled = 0.0;
         for (int n = 0; n < 125; ++n) {
-            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mixed_kinds(n % 5, n / 5 % 5, n / 25)}, random);
             worst = std::max(worst, solved.residual);
             worst_scaled = std::max(worst_scaled, solved.scaled);
         }
@@ -92,7 +92,7 @@ TEST(Poisson, PhiAndItsGradientAgreeWithADoubleSolve) {
     double worst_phi = 0.0, worst_gradient = 0.0, worst_slender = 0.0, worst_over_rounding = 0.0;
     for (const glm::ivec3 cells : k_solved_sizes)
         for (int n = 0; n < 125; ++n) {
-            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mixed_kinds(n % 5, n / 5 % 5, n / 25)}, random);
             const Stencil& stencil = solved.stencil;
             const Values error = stencil.solve(0.0, solved.left, 1e-3);
             Values rounding(error.size());
@@ -118,7 +118,7 @@ TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
     for (const int y : {1, 4})
         for (const int x : {1, 4, 7})
             for (const glm::ivec3 cells : k_solved_sizes) {
-                const Box box{.cells = cells, .boundaries = mix(x, y, x)};
+                const Box box{.cells = cells, .boundaries = mixed_kinds(x, y, x)};
                 Workspace work = workspace(box);
                 // A large mean: it must leave no trace in phi.
                 auto values = scalars_of(box, [&](glm::dvec3) { return 10.0 + random.real(-1.0, 1.0); });

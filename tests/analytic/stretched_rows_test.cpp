@@ -403,28 +403,7 @@ TEST(StretchedRows, AFloorOfNoThicknessSeparatesTheAir) {
     expect_at_most("rows.leak", std::sqrt(below / above), 1e-3);
 }
 
-// --- Motors, and boxes that rise ------------------------------------------------------------------------------------------------------
-
-// A force gives its volume's momentum, near the ground and aloft, where a row is thicker than the ball.
-TEST(StretchedRows, AForceKeepsItsImpulse) {
-    for (const double height : {2.0, 9.0, 25.0}) {
-        Config config{.cells = {24, 24, 24}, .boundaries = between_walls(), .centre = {0.0, 22.0, 0.0}, .stages = k_sources_only};
-        config.rows.emplace(Rows{.first = 0.5f, .uniform = 4, .top = 44.0f});
-        Wind wind = made(config);
-        ASSERT_NEAR(wind.origin().y, 0.0, 1e-6);
-        added(wind.motors(),
-              DirectionalMotor{
-                  .position = {0.0, height, 0.0}, .region = Sphere{2.0f}, .law = Force{10.0f}, .turbulence = k_steady});
-        (void)wind.step(0.1);
-        double momentum = 0.0;
-        for_each_cell(config.cells, [&](int i, int j, int k) {
-            momentum += double(wind.box().volume(j)) * double(wind.field()[wind.box().index(i, j, k)].x);
-        });
-        const double wanted = 10.0 * 0.1 * 32.0 * pi * 8.0 / 105.0;
-        expect_at_most("rows.impulse.at_" + std::to_string(static_cast<int>(height)) + "_m", std::abs(momentum / wanted - 1.0),
-                       0.1);
-    }
-}
+// --- Boxes that rise ---------------------------------------------------------------------------------------------------------
 
 // The floor rises by a row, by several and by less than one: air of a smooth shear flow keeps its place in the world.
 TEST(StretchedRows, AFloorThatRisesKeepsTheAir) {
