@@ -263,6 +263,12 @@ typedef struct windrow_config {
     /* [m] -1e12 to 1e12, default 0. Height of the ground, where boundaries.y_low is a wall: the box's low side, to whole
        cells. Default 0. set_floor changes it. */
     double floor;
+    /* [m/s] 0 (never) to 1e9, default 100. An obstacle or a wake that is moved faster has jumped: it is at its new place at
+       once, at rest, and pushes no air on the way (windrow_diagnostics.jumps). Default 100: above what moves in a game's air,
+       below a respawn over two metres. */
+    float jump_speed;
+    /* 0 */
+    uint32_t reserved_2;
 } windrow_config;
 /* The defaults: 32 x 16 x 32 cells of 1 m, open air, no wind. */
 WINDROW_C_API windrow_result windrow_config_init(windrow_config* config, uint32_t struct_size);

@@ -107,9 +107,10 @@ WINDROW_C_API windrow_result windrow_wind_set_obstacle(windrow_wind* wind, windr
 /* As it is. Handles of its form are null: they belong to the host that made them. */
 WINDROW_C_API windrow_result windrow_wind_get_obstacle(const windrow_wind* wind, windrow_obstacle_id id,
                                                        windrow_obstacle* obstacle);
-/* To where it is at the end of the coming step or frame. `orientation` may be null: it keeps its own. */
+/* To where it is at the end of the coming step or frame. `orientation` may be null: it keeps its own. `spin` [rad/s], about its
+   position along the world's axes, of a wheel or a propeller, which two poses do not tell; null: by the poses, the shorter way. */
 WINDROW_C_API windrow_result windrow_wind_move_obstacle(windrow_wind* wind, windrow_obstacle_id id, windrow_dvec3 position,
-                                                        const windrow_quat* orientation);
+                                                        const windrow_quat* orientation, const windrow_vec3* spin);
 WINDROW_C_API windrow_result windrow_wind_remove_obstacle(windrow_wind* wind, windrow_obstacle_id id);
 WINDROW_C_API int32_t windrow_wind_obstacle_count(const windrow_wind* wind);
 

@@ -92,6 +92,15 @@ typedef struct windrow_diagnostics {
     int32_t motors_lost;
     /* [ms] Wall-clock time by stage. */
     windrow_stage_times times_ms;
+    /* Obstacles and wakes that were moved faster than jump_speed: they were there at once, without a push. */
+    int32_t jumps;
+    /* 0 */
+    uint32_t reserved;
+    /* Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and the
+       moment on them is 5 to 20 % off. A vortex motor is the wind of a fast rotor. */
+    int32_t fast_turns;
+    /* 0 */
+    uint32_t reserved_2;
 } windrow_diagnostics;
 WINDROW_C_API windrow_result windrow_diagnostics_init(windrow_diagnostics* diagnostics, uint32_t struct_size);
 

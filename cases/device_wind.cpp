@@ -69,6 +69,8 @@ Diagnostics DeviceWind::run(double dt) const {
         reported.regridded = done.regridded;
         reported.motors_in_reach = done.motors_in_reach;
         reported.motors_lost = done.motors_lost;
+        reported.jumps = done.jumps;
+        reported.fast_turns = done.fast_turns;
         reported.diffusion = done.diffusion;
         reported.sealed_sources = done.sealed_sources;
         done = reported;

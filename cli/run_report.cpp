@@ -46,6 +46,14 @@ void warn(const RunReport& report, const Console& console) {
         console.warn(message(plural(timings.repaired_cells(), "cell"), " held NaN or infinity and ",
                              timings.repaired_cells() == 1 ? "was" : "were", " set to ambient, first at ",
                              timings.first_repair_time(), " s."));
+    if (timings.jumps() > 0)
+        console.warn(message(plural(timings.jumps(), "move"), " of obstacles or walkers ", timings.jumps() == 1 ? "was" : "were",
+                             " faster than ", report.scene.air.jump_speed,
+                             " m/s and pushed no air; give the path more time, or raise air.jump_speed."));
+    if (timings.fast_turns() > 0)
+        console.warn(
+            message("an obstacle turned by more than a sixth of a turn in ", plural(timings.fast_turns(), "step"),
+                    ", so that its blades met the air at few places; raise tick_hz, or take a vortex motor for a rotor."));
     if (timings.motors_lost() > 0)
         console.warn(message(plural(timings.motors_lost(), "motor"),
                              " reached no air in any step: ", timings.motors_lost() == 1 ? "it is" : "they are",

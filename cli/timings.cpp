@@ -68,6 +68,8 @@ void Timings::add(double time, const Diagnostics& diagnostics) {
     limited_cells_ += diagnostics.limited_cells;
     limited_steps_ += diagnostics.limited_cells > 0 ? 1 : 0;
     repaired_cells_ += diagnostics.repaired_cells;
+    jumps_ += diagnostics.jumps;
+    fast_turns_ += diagnostics.fast_turns > 0 ? 1 : 0;
     motors_lost_ = std::min(diagnostics.motors_lost, motors_lost_.value_or(diagnostics.motors_lost));
     if (diagnostics.repaired_cells > 0 && !first_repair_time_)
         first_repair_time_ = time;

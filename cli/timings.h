@@ -32,6 +32,8 @@ class Timings {
     [[nodiscard]] std::int64_t repaired_cells() const { return repaired_cells_; }
     /// Motors that reached no air, at least so many in every step.
     [[nodiscard]] int motors_lost() const { return motors_lost_.value_or(0); }
+    [[nodiscard]] std::int64_t jumps() const { return jumps_; }
+    [[nodiscard]] std::int64_t fast_turns() const { return fast_turns_; }                       ///< steps with one
     [[nodiscard]] double first_repair_time() const { return first_repair_time_.value_or(0.0); } ///< [s]
     /// [s] Wall-clock time of all steps.
     [[nodiscard]] double solver_seconds() const;
@@ -49,6 +51,7 @@ class Timings {
     std::int64_t limited_cells_ = 0;
     std::int64_t limited_steps_ = 0;
     std::int64_t repaired_cells_ = 0;
+    std::int64_t jumps_ = 0, fast_turns_ = 0;
     std::optional<int> motors_lost_{};
     std::optional<double> first_repair_time_;
 };

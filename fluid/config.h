@@ -83,6 +83,7 @@ struct Config {
     float viscosity = 1.5e-5f;
     float relaxation_time = 20.0f;
     float sleep_speed = 1e-3f;
+    float jump_speed = 100.0f;
     Scheme scheme = Scheme::second_order;
     Interpolation interpolation = Interpolation::cubic;
     float max_cfl = 2.0f;
@@ -159,6 +160,11 @@ struct Config {
                     "ambient, and a step costs microseconds until something acts. It does not sleep without a relaxation time or "
                     "while "
                     "viscosity acts."),
+            Setting(
+                "jump_speed", &Config::jump_speed, {0.0, 1e9, "m/s", "never"},
+                "An obstacle or a wake that is moved faster has jumped: it is at its new place at once, at rest, and pushes no "
+                "air on the way (Diagnostics::jumps). Default 100: above what moves in a game's air, below a respawn over two "
+                "metres."),
             Setting("scheme", &Config::scheme,
                     "Time scheme. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
                     "order."),

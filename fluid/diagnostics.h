@@ -67,6 +67,8 @@ struct Diagnostics {
     std::int64_t repaired_cells = 0;
     int motors_in_reach = 0;
     int motors_lost = 0;
+    int jumps = 0;
+    int fast_turns = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
     float pressure_residual = 0.0f;
     int pressure_solves = 0;
@@ -112,6 +114,12 @@ struct Diagnostics {
                 "motors_lost", &Diagnostics::motors_lost, "",
                 "Motors that act on no air where they are: under the ground, or farther outside of the box than its size, on an "
                 "axis along which it does not follow. A mistake in most scenes."},
+            ReportRow{"jumps", &Diagnostics::jumps, "",
+                      "Obstacles and wakes that were moved faster than jump_speed: they were there at once, without a push."},
+            ReportRow{
+                "fast_turns", &Diagnostics::fast_turns, "",
+                "Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and "
+                "the moment on them is 5 to 20 % off. A vortex motor is the wind of a fast rotor."},
             ReportRow{"diffusion", &Diagnostics::diffusion, "",
                       "How viscosity acted: not at all, in one explicit pass, or by a direct solve."},
             ReportRow{

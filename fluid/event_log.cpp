@@ -49,8 +49,8 @@ void fields(auto& archive, Like<ObstacleSet> auto& event) {
 }
 
 void fields(auto& archive, Like<ObstacleMoved> auto& event) {
-    auto& [id, position, orientation] = event;
-    archive(id, position, orientation);
+    auto& [id, position, orientation, spin] = event;
+    archive(id, position, orientation, spin);
 }
 
 void fields(auto& archive, Like<ObstacleRemoved> auto& event) {
@@ -117,7 +117,7 @@ void fields(auto& archive, Like<TickRecorded> auto& event) {
 namespace {
 
 constexpr detail::Format k_format{"WINDLOGS",
-                                  detail::Layout("events 4").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
+                                  detail::Layout("events 5").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
                                   "event log", "EventLog::to_bytes"};
 
 } // namespace

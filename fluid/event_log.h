@@ -56,6 +56,7 @@ struct ObstacleMoved {
     ObstacleId id;
     glm::dvec3 position;
     std::optional<glm::quat> orientation; ///< where it was given
+    std::optional<glm::vec3> spin{};      ///< the same
 };
 struct ObstacleRemoved {
     ObstacleId id;

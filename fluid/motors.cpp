@@ -5,6 +5,7 @@
 #include "fluid/gust_tile.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <new>
@@ -155,13 +156,24 @@ void Motors::squeeze(double factor) {
             slot.track.squeeze(factor);
 }
 
-std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Boundaries& boundaries) {
+std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Boundaries& boundaries,
+                                                 float jump_speed) {
     std::size_t count = 0;
+    jumps_ = 0;
+    std::array<Track::Segment, Track::k_max_segments> walked;
     for (std::uint32_t index = 0; index < list_.size(); ++index) {
         Slot& slot = list_[index];
         if (!slot.used)
             continue;
-        const auto path = slot.track.tick(duration);
+        std::span<const Track::Segment> path = slot.track.tick(duration);
+        if (std::holds_alternative<WakeMotor>(slot.motor)) { // no other motor sweeps its way
+            const auto end = std::copy_if(path.begin(), path.end(), walked.begin(), [&](const Track::Segment& piece) {
+                return !detail::is_jump(piece.end - piece.start, piece.duration, jump_speed);
+            });
+            const auto kept = static_cast<std::size_t>(end - walked.begin());
+            jumps_ += kept < path.size() ? 1 : 0;
+            path = std::span(walked).first(kept);
+        }
         const auto reaching = static_cast<std::size_t>(detail::prepare(slot.motor, slot.track, path, slot.age, duration, window,
                                                                        boundaries, std::span(reach_).subspan(count)));
         slot.reaches = reaching > 0;

@@ -65,8 +65,11 @@ class WINDROW_API Motors {
     void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
-    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Boundaries& boundaries);
+    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Boundaries& boundaries,
+                                                           float jump_speed = 0.0f);
     [[nodiscard]] std::span<const Slot> slots() const { return list_.slots(); }
+    /// Wakes of the last tick that went faster than its jump_speed on a part of their way, which is left out.
+    [[nodiscard]] int jumps() const { return jumps_; }
     /// Motors that reached no air in the last tick and never will where they are: under the ground, or farther outside of the box
     /// than its size, on an axis along which it does not follow.
     [[nodiscard]] int lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const;
@@ -87,6 +90,7 @@ class WINDROW_API Motors {
     void reserve_reach(const Motor* more);
 
     detail::SlotList<Slot, Motors> list_;
+    int jumps_ = 0;
     std::vector<detail::MotorReach> reach_; ///< room for all that a tick can return
     std::shared_ptr<const GustTile> tile_;  ///< standard, held from the first motor with eddies on
     EventLog* log_ = nullptr;

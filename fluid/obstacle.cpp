@@ -331,11 +331,13 @@ bool precedes(const PlacedObstacle& a, const PlacedObstacle& b) {
     return order == 0 ? a.surface < b.surface : order < 0;
 }
 
-Result<void> validate_pose(glm::dvec3 position, glm::quat orientation) {
+Result<void> validate_pose(glm::dvec3 position, glm::quat orientation, std::optional<glm::vec3> spin) {
     Reasons reasons;
     const FieldPath obstacle{nullptr, "obstacle"};
     check_value(reasons, FieldPath{&obstacle, "position"}, position, k_world_range);
     check_value(reasons, FieldPath{&obstacle, "orientation"}, orientation, {});
+    if (spin)
+        check_value(reasons, FieldPath{&obstacle, "spin"}, *spin, Range{-1e6, 1e6, "rad/s"});
     return reasons.outcome();
 }
 

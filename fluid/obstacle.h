@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -190,7 +191,8 @@ struct PlacedObstacle {
 namespace detail {
 using windrow::PlacedObstacle;
 
-[[nodiscard]] WINDROW_API Result<void> validate_pose(glm::dvec3 position, glm::quat orientation);
+[[nodiscard]] WINDROW_API Result<void> validate_pose(glm::dvec3 position, glm::quat orientation,
+                                                     std::optional<glm::vec3> spin = std::nullopt);
 
 /// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside. Beyond `most` it may be any
 /// value from `most` on, of the right sign, which takes less time.

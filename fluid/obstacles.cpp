@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -16,7 +17,8 @@ namespace {
 
 using detail::PlacedObstacle;
 
-constexpr float k_margin_cells = 2.0f; // reads and trajectories beside the box
+constexpr double k_fast_turn = 0.999 * std::numbers::pi / 3.0; // [rad] in a tick; with rounding
+constexpr float k_margin_cells = 2.0f;                         // reads and trajectories beside the box
 
 // In double, so that the longest and the shortest keep their direction.
 glm::quat normalised(const glm::quat& orientation) {
@@ -32,18 +34,9 @@ BodyPose pose(const Obstacle& obstacle) {
     return {obstacle.position, glm::dquat(obstacle.orientation)};
 }
 
-// Rotation vector from one orientation to another, the shorter way [rad].
-glm::dvec3 turn(const glm::dquat& from, const glm::dquat& to) {
-    glm::dquat by = to * glm::conjugate(from);
-    if (by.w < 0.0)
-        by = -by;
-    const glm::dvec3 axis(by.x, by.y, by.z);
-    const double sine = glm::length(axis);
-    return sine > 0.0 ? 2.0 * numerics::atan2(sine, by.w) / sine * axis : glm::dvec3(0.0);
-}
-
-PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const BodyPose& end, double duration, const Window& window,
-                      const Boundaries& boundaries) {
+// `turned`: by this vector [rad] from start to end.
+PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const BodyPose& end, glm::dvec3 turned, double duration,
+                      const Window& window, const Boundaries& boundaries) {
     PlacedObstacle result;
     result.shape = obstacle.shape;
     result.surface = obstacle.surface;
@@ -51,7 +44,7 @@ PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const Bod
     glm::dvec3 place = window.local_rounded(end.position);
     if (!(start == end)) {
         result.velocity = glm::vec3((place - window.local_rounded(start.position)) * (units / duration));
-        result.spin = glm::vec3(turn(start.orientation, end.orientation) / duration);
+        result.spin = glm::vec3(turned / duration);
     }
     for (int axis = 0; axis < 3; ++axis)
         if (boundaries.periodic(axis))
@@ -59,6 +52,10 @@ PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const Bod
     result.position = glm::vec3(place * units);
     result.axes = glm::mat3(glm::mat3_cast(glm::normalize(end.orientation)));
     return result;
+}
+
+PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& here, const Window& window, const Boundaries& boundaries) {
+    return placed(obstacle, here, here, glm::dvec3(0.0), 1.0, window, boundaries);
 }
 
 bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundaries& boundaries) {
@@ -123,19 +120,24 @@ Result<void> Obstacles::set(ObstacleId id, const Obstacle& obstacle) {
 }
 
 Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position) {
-    return move(id, position, nullptr);
+    return move(id, position, nullptr, std::nullopt);
 }
 
 Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, glm::quat orientation) {
-    return move(id, position, &orientation);
+    return move(id, position, &orientation, std::nullopt);
 }
 
-Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation) {
+Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, glm::quat orientation, glm::vec3 spin) {
+    return move(id, position, &orientation, spin);
+}
+
+Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation, std::optional<glm::vec3> spin) {
     const auto found = list_.find(id);
     if (!found)
         return Error{found.error()};
     Slot& slot = **found;
-    if (auto valid = detail::validate_pose(position, orientation != nullptr ? *orientation : slot.obstacle.orientation); !valid)
+    if (auto valid = detail::validate_pose(position, orientation != nullptr ? *orientation : slot.obstacle.orientation, spin);
+        !valid)
         return valid;
     if (slot.motion == k_at_rest && !detail::memory_lasts([&] { begin_motion(id.slot); }))
         return detail::out_of_memory();
@@ -143,8 +145,10 @@ Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat
     if (orientation != nullptr)
         slot.obstacle.orientation = normalised(*orientation);
     motions_[slot.motion].path.move_to(pose(slot.obstacle));
+    motions_[slot.motion].spin = spin;
     if (log_ != nullptr)
-        log_->note(ObstacleMoved{id.unowned(), position, orientation != nullptr ? std::optional(*orientation) : std::nullopt});
+        log_->note(
+            ObstacleMoved{id.unowned(), position, orientation != nullptr ? std::optional(*orientation) : std::nullopt, spin});
     return {};
 }
 
@@ -184,7 +188,7 @@ BodyPose Obstacles::pose_of(const Slot& slot) const {
 
 bool Obstacles::reaches(const Slot& slot) const {
     const BodyPose here = pose_of(slot);
-    return !ticked_ || meets(placed(slot.obstacle, here, here, 1.0, window_, boundaries_), window_, boundaries_);
+    return !ticked_ || meets(placed(slot.obstacle, here, window_, boundaries_), window_, boundaries_);
 }
 
 void Obstacles::rest(std::uint32_t index) {
@@ -241,8 +245,9 @@ void Obstacles::name(PlacedObstacle& obstacle, std::uint32_t index) const {
 }
 
 // Advances what moves and places it. True where that changes what is placed.
-bool Obstacles::carry(double duration) {
+bool Obstacles::carry(double duration, float jump_speed) {
     bool changed = false;
+    jumps_ = fast_turns_ = 0;
     moving_.clear();
     for (std::size_t n = 0; n < motions_.size(); ++n) {
         Motion* motion = &motions_[n];
@@ -256,16 +261,30 @@ bool Obstacles::carry(double duration) {
             ++visited_;
         }
         const BodyPose start = motion->path.here();
-        motion->path.tick(duration, [](double, double, const BodyPose&, const BodyPose&) {});
+        bool given = false, jumped = false;
+        glm::dvec3 turned(0.0);
+        motion->path.tick(duration, [&](double from, double to, const BodyPose& before, const BodyPose& after) {
+            given = true;
+            jumped = jumped || detail::is_jump(after.position - before.position, to - from, jump_speed);
+            turned += detail::turn_between(before.orientation, after.orientation);
+        });
         const BodyPose& end = motion->path.here();
-        PlacedObstacle now = placed(list_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
+        PlacedObstacle now = jumped ? placed(list_[motion->slot].obstacle, end, window_, boundaries_)
+                                    : placed(list_[motion->slot].obstacle, start, end, turned, duration, window_, boundaries_);
+        if (given && !jumped && motion->spin)
+            now.spin = *motion->spin;
         name(now, motion->slot);
-        const bool moves = !(start == end), reached = std::exchange(motion->reaches, meets(now, window_, boundaries_));
+        const bool moves = !(start == end) || now.moves(),
+                   reached = std::exchange(motion->reaches, meets(now, window_, boundaries_));
         if ((moves || motion->moved) && (reached || motion->reaches))
             changed = true;
         motion->moved = moves;
         if (motion->reaches)
             moving_.push_back(now);
+        if (motion->reaches || reached) {
+            jumps_ += jumped ? 1 : 0;
+            fast_turns_ += static_cast<double>(glm::length(now.spin)) * duration > k_fast_turn ? 1 : 0;
+        }
         moved_ = moved_ || (motion->reaches && moves);
     }
     return changed;
@@ -283,7 +302,7 @@ void Obstacles::find_resting() {
     grid_.find(low, high, [&](std::uint32_t index) {
         ++visited_;
         const BodyPose here = pose(list_[index].obstacle);
-        PlacedObstacle now = placed(list_[index].obstacle, here, here, 1.0, window_, boundaries_);
+        PlacedObstacle now = placed(list_[index].obstacle, here, window_, boundaries_);
         name(now, index);
         if (meets(now, window_, boundaries_))
             resting_.push_back(now);
@@ -291,13 +310,14 @@ void Obstacles::find_resting() {
     std::sort(resting_.begin(), resting_.end(), detail::precedes);
 }
 
-std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const Window& window, const Boundaries& boundaries) {
+std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const Window& window, const Boundaries& boundaries,
+                                                        float jump_speed) {
     visited_ = 0;
     const bool elsewhere = !ticked_ || window.origin_cells != window_.origin_cells || !(boundaries == boundaries_);
     window_ = window;
     boundaries_ = boundaries;
     ticked_ = true;
-    const bool moved = carry(duration), searched = std::exchange(search_, false) || elsewhere;
+    const bool moved = carry(duration, jump_speed), searched = std::exchange(search_, false) || elsewhere;
     if (searched)
         find_resting();
     if (!searched && !moved)
@@ -315,7 +335,7 @@ std::vector<PlacedObstacle> Obstacles::standing_in(const Window& window, const B
         if (!list_[index].used)
             continue;
         const BodyPose here = pose_of(list_[index]);
-        PlacedObstacle now = placed(list_[index].obstacle, here, here, 1.0, window, boundaries);
+        PlacedObstacle now = placed(list_[index].obstacle, here, window, boundaries);
         name(now, index);
         if (meets(now, window, boundaries))
             standing.push_back(now);

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -43,8 +44,11 @@ class WINDROW_API Obstacles {
     /// Moves an obstacle to where it is at the end of the coming step (or frame, with Wind::advance). It pushes the air on the
     /// way. The first move of an obstacle at rest may allocate.
     [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position);
-    /// The same with its orientation, of any length but 0; it turns the shorter way.
+    /// The same with its orientation, of any length but 0; it turns the shorter way from each frame to the next.
     [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, glm::quat orientation);
+    /// The same of a body that turns at `spin` [rad/s], about its position, along the world's axes: a wheel, a propeller. Two poses
+    /// are the same after one turn and after two. Beyond a sixth of a turn a step blades meet the air at few places (Diagnostics::fast_turns).
+    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, glm::quat orientation, glm::vec3 spin);
     /// Removes an obstacle; a stale handle is rejected.
     Result<void> remove(ObstacleId id);
 
@@ -72,7 +76,10 @@ class WINDROW_API Obstacles {
     /// Advances every obstacle by a tick and returns those whose bounding box meets the box of cells grown by two cells; along a
     /// periodic axis all do. Their order does not depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::PlacedObstacle> tick(double duration, const Window& window,
-                                                               const Boundaries& boundaries);
+                                                               const Boundaries& boundaries, float jump_speed = 0.0f);
+    /// Of those in the last tick that met the box: how many jumped, and how many turned by more than a sixth of a turn.
+    [[nodiscard]] int jumps() const { return jumps_; }
+    [[nodiscard]] int fast_turns() const { return fast_turns_; }
     /// Advances every obstacle by a time in which nothing acts on the air.
     void pass(double duration);
     /// True where what `tick` returned, or the box, may differ from when this was asked last.
@@ -102,11 +109,13 @@ class WINDROW_API Obstacles {
     struct Motion {
         std::uint32_t slot = 0;
         TimedPath<BodyPose> path{};
-        bool moved = false;   ///< since it was last placed
-        bool reaches = false; ///< the box, when it was last placed
+        bool moved = false;              ///< since it was last placed
+        bool reaches = false;            ///< the box, when it was last placed
+        std::optional<glm::vec3> spin{}; ///< [rad/s] that was given with the last pose; else it follows from the poses
     };
 
-    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation);
+    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation,
+                                    std::optional<glm::vec3> spin);
     /// For what a tick returns of the list, all in reach; throws std::bad_alloc.
     void make_room();
     void begin_motion(std::uint32_t index);
@@ -117,7 +126,7 @@ class WINDROW_API Obstacles {
     [[nodiscard]] BodyPose pose_of(const Slot& slot) const;
     [[nodiscard]] bool reaches(const Slot& slot) const;
     void name(detail::PlacedObstacle& obstacle, std::uint32_t index) const;
-    [[nodiscard]] bool carry(double duration);
+    [[nodiscard]] bool carry(double duration, float jump_speed);
     void find_resting();
 
     detail::SlotList<Slot, Obstacles> list_;
@@ -132,6 +141,7 @@ class WINDROW_API Obstacles {
     bool search_ = false; ///< `resting_` is not that of the list and the window
     bool changed_ = false, moved_ = false;
     std::size_t visited_ = 0;
+    int jumps_ = 0, fast_turns_ = 0; ///< in the last tick
     EventLog* log_ = nullptr;
 };
 

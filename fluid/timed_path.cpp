@@ -30,6 +30,15 @@ BodyPose between(const BodyPose& from, const BodyPose& to, double share) {
             from.orientation == to.orientation ? to.orientation : turned(from.orientation, to.orientation, share)};
 }
 
+glm::dvec3 turn_between(const glm::dquat& from, const glm::dquat& to) {
+    glm::dquat by = to * glm::conjugate(from);
+    if (by.w < 0.0)
+        by = -by;
+    const glm::dvec3 axis(by.x, by.y, by.z);
+    const double sine = glm::length(axis);
+    return sine > 0.0 ? 2.0 * numerics::atan2(sine, by.w) / sine * axis : glm::dvec3(0.0);
+}
+
 double bend(const BodyPose& before, const BodyPose& place, const BodyPose& after) {
     const double to = angle(before.orientation, place.orientation), from = angle(place.orientation, after.orientation);
     const double share = to + from > 0.0 ? to / (to + from) : 0.0;

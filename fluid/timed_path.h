@@ -4,6 +4,8 @@
 // the places up to its own time, so a uniform motion makes the same path at 30 and at 144 Hz.
 #pragma once
 
+#include "api.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +31,13 @@ namespace detail {
     return from + share * (to - from);
 }
 [[nodiscard]] BodyPose between(const BodyPose& from, const BodyPose& to, double share);
+/// [rad] Rotation vector from one orientation to another, the shorter way.
+[[nodiscard]] WINDROW_API glm::dvec3 turn_between(const glm::dquat& from, const glm::dquat& to);
+
+/// Whether a way [m] in a time [s] is no motion, but a new place. `fastest` [m/s]; 0: never.
+[[nodiscard]] inline bool is_jump(glm::dvec3 way, double duration, float fastest) {
+    return fastest > 0.0f && glm::length(way) > static_cast<double>(fastest) * duration;
+}
 
 /// [m^2] Square of the distance of a place from the straight line between the ones before and after it.
 [[nodiscard]] inline double bend(glm::dvec3 before, glm::dvec3 place, glm::dvec3 after) {

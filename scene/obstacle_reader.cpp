@@ -34,8 +34,18 @@ SceneObstacle read_obstacle(const nlohmann::json& value, const std::string& path
         object.name({"turn_path", "Name of a path whose x, y, z are yaw, pitch and roll in degrees: a door that opens, a train "
                                   "that turns."},
                     path_names, "paths");
+    read_value(object,
+               Key{"rpm", "Revolutions a minute about its own axes x, y, z, from 0 s on: a wheel, a propeller. Beyond a sixth of "
+                          "a turn a step it is reported; a vortex motor is the wind of a fast rotor."},
+               result.rpm, Range{-1e6, 1e6, "1/min"});
+    read_value(object,
+               Key{"pivot",
+                   "Point along its own axes from its middle that stands at the position and about which it turns: the hinge "
+                   "of a door."},
+               result.pivot, Range{-1e5, 1e5, "m"});
     object.not_both("position", "path");
     object.not_both("turn_deg", "turn_path");
+    object.not_both("rpm", "turn_path");
     object.finish();
     if (log.faults() == faults_before)
         check_read(object, result.obstacle);

@@ -55,8 +55,12 @@ struct SceneObstacle {
     Obstacle obstacle;
     std::optional<std::size_t> path;      ///< index in Scene::paths
     std::optional<std::size_t> turn_path; ///< the same; its x, y, z are the angles of orientation_of
+    glm::dvec3 rpm{0.0};                  ///< [1/min] turns about its own axes, from `obstacle.orientation` at 0 s
+    glm::dvec3 pivot{0.0};                ///< [m] along its own axes: its point that the position is that of
     double from = 0.0;                    ///< [s] in the air in ticks whose middle is in [from, until)
     double until = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool moves() const { return path || turn_path || rpm != glm::dvec3(0.0); }
 };
 
 /// Orientation from yaw, pitch and roll [degrees]: first rolled about its own z axis, then pitched about x, then yawed about y, up.

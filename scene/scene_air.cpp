@@ -2,10 +2,13 @@
 
 #include "fluid/core/archive.h"
 #include "fluid/core/message.h"
+#include "fluid/timed_path.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
 namespace windrow::scene {
@@ -249,10 +252,13 @@ Result<void> SceneAir::place_obstacle(Obstacles& obstacles, const SceneObstacle&
             return Error{added.error()};
         id = *added;
     }
-    if (!body.path && !body.turn_path)
+    if (!body.moves())
         return {};
     const Obstacle then = obstacle_at(body, end);
-    return body.turn_path ? obstacles.move(id, then.position, then.orientation) : obstacles.move(id, then.position);
+    if (!body.turn_path && body.rpm == glm::dvec3(0.0))
+        return obstacles.move(id, then.position);
+    const glm::dvec3 spin = end > start ? turned(body, start, end) / (end - start) : glm::dvec3(0.0);
+    return obstacles.move(id, then.position, then.orientation, glm::vec3(spin));
 }
 
 Result<void> SceneAir::place_wakes(Motors& motors, double end) {
@@ -278,9 +284,40 @@ Obstacle SceneAir::obstacle_at(const SceneObstacle& body, double time) const {
     Obstacle obstacle = body.obstacle;
     if (body.path)
         obstacle.position = scene_->paths[*body.path].path.at(time);
-    if (body.turn_path)
-        obstacle.orientation = orientation_of(scene_->paths[*body.turn_path].path.at(time));
+    obstacle.orientation = glm::quat(orientation_at(body, time));
+    if (body.pivot != glm::dvec3(0.0))
+        obstacle.position -= glm::dquat(obstacle.orientation) * body.pivot;
     return obstacle;
+}
+
+glm::dquat SceneAir::orientation_at(const SceneObstacle& body, double time) const {
+    const glm::dquat still(body.turn_path ? orientation_of(scene_->paths[*body.turn_path].path.at(time))
+                                          : body.obstacle.orientation);
+    const double rate = glm::length(body.rpm);
+    if (!(rate > 0.0))
+        return still;
+    const double turns = rate * time / 60.0;
+    return still * glm::angleAxis(2.0 * std::numbers::pi * (turns - std::floor(turns)), body.rpm / rate);
+}
+
+// By pieces that two orientations tell.
+glm::dvec3 SceneAir::turned(const SceneObstacle& body, double start, double end) const {
+    constexpr double k_piece = 60.0; // [degrees]
+    double most = 6.0 * glm::length(body.rpm) * (end - start);
+    if (body.turn_path) {
+        const MotionPath& path = scene_->paths[*body.turn_path].path;
+        const glm::dvec3 way = glm::abs(path.at(end) - path.at(start));
+        most = std::max({way.x, way.y, way.z});
+    }
+    const int pieces = static_cast<int>(std::clamp(std::ceil(most / k_piece), 1.0, 1e4));
+    glm::dvec3 sum(0.0);
+    glm::dquat here = orientation_at(body, start);
+    for (int n = 1; n <= pieces; ++n) {
+        const glm::dquat next = orientation_at(body, start + (end - start) * n / pieces);
+        sum += detail::turn_between(here, next);
+        here = next;
+    }
+    return sum;
 }
 
 } // namespace windrow::scene

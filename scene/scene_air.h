@@ -110,6 +110,9 @@ class SceneAir {
     Result<void> place_wakes(Motors& motors, double end);
     /// The obstacle at a time [s].
     [[nodiscard]] Obstacle obstacle_at(const SceneObstacle& body, double time) const;
+    [[nodiscard]] glm::dquat orientation_at(const SceneObstacle& body, double time) const;
+    /// [rad] By which it turns, however often.
+    [[nodiscard]] glm::dvec3 turned(const SceneObstacle& body, double start, double end) const;
 
     const Scene* scene_;
     State state_;

@@ -119,6 +119,18 @@ inline std::vector<Scenario> scenarios(bool whole) {
                 rows.push_back(scenario_parts::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0}));
         ++number;
     }
+    for (const bool whole_turns : {false, true}) { // a propeller, which two poses do not tell; and one that respawns
+        const auto shape = scenario_parts::NamedShape{whole_turns ? "propeller" : "respawn", Block{{2.4f, 0.7f, 0.9f}}};
+        Scenario row = scenario_parts::obstacle_scenario(shape, Way::rests, {-3.0, 0.2, 1.0});
+        row.step = [=](WindControl& wind, int n) {
+            if (whole_turns)
+                must(wind.obstacles().move(obstacle_id(), {-3.0, 0.2, 1.0}, glm::angleAxis(0.3f, glm::vec3(0.0f, 1.0f, 0.0f)),
+                                           {0.0f, 0.0f, 3.0f}));
+            else
+                must(wind.obstacles().move(obstacle_id(), {n % 8 < 4 ? -3.0 : 4.0, 0.2, 1.0 - 0.02 * n}));
+        };
+        rows.push_back(row);
+    }
     rows.push_back({.name = "hills", .begin = [](WindControl& wind) { must(wind.obstacles().add(scenario_parts::hills())); }});
     rows.push_back({.name = "hills_in_rows",
                     .config =

@@ -183,12 +183,19 @@ WINDROW_EXPORT windrow_result windrow_wind_get_obstacle(const windrow_wind* wind
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_move_obstacle(windrow_wind* wind, windrow_obstacle_id id, windrow_dvec3 position,
-                                                         const windrow_quat* orientation) {
+                                                         const windrow_quat* orientation, const windrow_vec3* spin) {
     return call({{wind, "wind"}}, [&] {
         const auto named = id_of<ObstacleId>(id);
+        Obstacles& obstacles = wind->control->obstacles();
+        if (orientation == nullptr && spin == nullptr)
+            return done_with(wind, named, obstacles.move(named, to_cpp(position)));
+        const Obstacle* const here = obstacles.find(named);
+        const glm::quat turned = orientation != nullptr ? to_cpp(*orientation)
+                                 : here != nullptr      ? here->orientation
+                                                        : glm::quat();
         return done_with(wind, named,
-                         orientation != nullptr ? wind->control->obstacles().move(named, to_cpp(position), to_cpp(*orientation))
-                                                : wind->control->obstacles().move(named, to_cpp(position)));
+                         spin != nullptr ? obstacles.move(named, to_cpp(position), turned, to_cpp(*spin))
+                                         : obstacles.move(named, to_cpp(position), turned));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_remove_obstacle(windrow_wind* wind, windrow_obstacle_id id) {

@@ -16,16 +16,16 @@ WINDROW_C_STRUCT(windrow_canopy, Canopy, height, drag);
 WINDROW_C_STRUCT(windrow_roughness, Roughness, length, longest_mixing, map);
 WINDROW_C_STRUCT_BUT(1, windrow_rows, Rows, first, uniform, ratio, top);
 WINDROW_C_STRUCT_BUT(3, windrow_config, Config, cells, cell_size, boundaries, centre, floor, ambient, profile, gusts, canopy,
-                     roughness, rows, blend_width, viscosity, relaxation_time, sleep_speed, scheme, interpolation, max_cfl,
-                     max_substeps, pressure_solves, simd, parallel_for);
+                     roughness, rows, blend_width, viscosity, relaxation_time, sleep_speed, jump_speed, scheme, interpolation,
+                     max_cfl, max_substeps, pressure_solves, simd, parallel_for);
 // ambient.h
 WINDROW_C_STRUCT(windrow_sampling, Sampling, strength, limit, detail, detail_length);
 WINDROW_C_STRUCT(windrow_ambient_settings, AmbientWind::Settings, mean, profile, gusts, ground);
 // wind.h
 WINDROW_C_STRUCT(windrow_stage_times, StageTimes, sources, ambient, diffusion, advection, projection, obstacles, report, total);
 WINDROW_C_STRUCT(windrow_diagnostics, Diagnostics, stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped,
-                 carried_time, limited_cells, repaired_cells, motors_in_reach, motors_lost, diffusion, pressure_residual,
-                 pressure_solves, sealed_sources, divergence_rms, energy, asleep, times_ms);
+                 carried_time, limited_cells, repaired_cells, motors_in_reach, motors_lost, jumps, fast_turns, diffusion,
+                 pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep, times_ms);
 // motors.h
 WINDROW_C_STRUCT(windrow_envelope, Envelope, attack, hold, decay, delay);
 WINDROW_C_STRUCT(windrow_turbulence, Turbulence, intensity, length, seed);

@@ -161,14 +161,17 @@ struct ObstacleFields {
     }
 
     static void motion(auto& archive, detail::Like<Obstacles::Motion> auto& motion) {
-        auto& [slot, path, moved, reaches] = motion;
-        archive(slot, moved, reaches);
+        auto& [slot, path, moved, reaches, spin] = motion;
+        archive(slot, moved, reaches, spin);
+        if constexpr (detail::Reading<decltype(archive)>)
+            archive.require(!spin || (std::isfinite(spin->x) && std::isfinite(spin->y) && std::isfinite(spin->z)),
+                            "an obstacle turns at no finite rate.");
         PathFields::path(archive, path);
     }
 
     static void obstacles(auto& archive, detail::Like<Obstacles> auto& obstacles) {
-        auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, moved, visited, log] =
-            obstacles;
+        auto& [list, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, moved, visited, jumps,
+               fast_turns, log] = obstacles;
         auto in_motion = static_cast<std::uint32_t>(motions.size());
         if (!SlotFields::require_slots(archive, list, "it has more obstacles than fit.",
                                        [&](auto& slot) { ObstacleFields::slot(archive, slot); }))

@@ -37,6 +37,8 @@ struct Repeat {
     Result<void> operator()(const ObstacleSet& event) const { return wind.obstacles().set(event.id, event.obstacle); }
     Result<void> operator()(const ObstacleMoved& event) const {
         Obstacles& obstacles = wind.obstacles();
+        if (event.orientation && event.spin)
+            return obstacles.move(event.id, event.position, *event.orientation, *event.spin);
         return event.orientation ? obstacles.move(event.id, event.position, *event.orientation)
                                  : obstacles.move(event.id, event.position);
     }

@@ -108,7 +108,7 @@ bool WindCore::has_room(const CellNeeds& needs) {
 
 // Nothing acts on the air in dropped time, but the rest advances: bodies are at their new places, gusts have passed.
 void WindCore::drop(double seconds) {
-    (void)motors.tick(seconds, place.window, config.boundaries);
+    (void)motors.tick(seconds, place.window, config.boundaries, config.jump_speed);
     obstacles.pass(seconds);
     (void)frames->follow.tick(seconds);
     if (sleep.asleep() || !ambient.gusting()) {
@@ -179,10 +179,13 @@ Diagnostics WindCore::step_air(double duration) {
 void WindCore::run_step(double duration, Diagnostics& report) {
     std::span<const detail::MotorReach> reached;
     if (config.stages.sources) {
-        reached = motors.tick(duration, place.window, config.boundaries);
+        reached = motors.tick(duration, place.window, config.boundaries, config.jump_speed);
         report.motors_lost = motors.lost(place.window, config.boundaries, place.follow_axes);
     }
-    const std::span<const detail::PlacedObstacle> bodies = obstacles.tick(duration, place.window, config.boundaries);
+    const std::span<const detail::PlacedObstacle> bodies =
+        obstacles.tick(duration, place.window, config.boundaries, config.jump_speed);
+    report.jumps = motors.jumps() + obstacles.jumps();
+    report.fast_turns = obstacles.fast_turns();
     const bool moved = obstacles.take_moved(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
     report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
@@ -192,6 +195,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
         report = sleep.at_rest;
         report.regridded = now.regridded;
         report.motors_lost = now.motors_lost;
+        report.jumps = now.jumps;
         return;
     }
     sleep.wake();

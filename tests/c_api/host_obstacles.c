@@ -90,7 +90,7 @@ void check_obstacles(void) {
     CHECK(windrow_wind_obstacle_count(wind) == 8);
 
     for (n = 0; n < 20; ++n) {
-        CHECK_OK(windrow_wind_move_obstacle(wind, house, dvec3(0.01 * n, 2.0, 0.0), n % 2 == 0 ? NULL : &turned));
+        CHECK_OK(windrow_wind_move_obstacle(wind, house, dvec3(0.01 * n, 2.0, 0.0), n % 2 == 0 ? NULL : &turned, NULL));
         CHECK_OK(windrow_wind_step(wind, 0.05, NULL));
     }
     CHECK_OK(windrow_wind_velocity(wind, dvec3(3.0, 2.0, 0.0), &lee));

@@ -159,6 +159,7 @@ void play(Wind& wind, std::span<const ObstacleId> ids, int frame) {
     const double t = 0.02 * frame;
     EXPECT_TRUE(wind.obstacles().move(ids[0], {0.2 + t, -2.0, 1.0 - 2.0 * t}));
     EXPECT_TRUE(wind.obstacles().move(ids[1], {3.0, std::sin(t), -2.0}, glm::quat(2.0f, float(t), 0.3f, 0.0f)));
+    EXPECT_TRUE(wind.obstacles().move(ids[6], {-2.0, -1.0, -2.0}, glm::quat(1.0f, 0.0f, 0.0f, 0.0f), {0.0f, 2.0f, 0.0f}));
     if (frame % 7 == 3) {
         EXPECT_TRUE(wind.follow({0.4 * frame, 0.0, -0.2 * frame}));
     }

@@ -3,6 +3,8 @@
 #include "scene/scene_reader.h"
 #include "tests/winds.h"
 
+#include <numbers>
+
 namespace windrow::scene {
 namespace {
 
@@ -94,7 +96,8 @@ TEST(SceneObstacles, ComeMoveTurnAndGo) {
     std::vector<int> counts;
     std::vector<Obstacle> last;
     for (int tick = 0; tick < 8; ++tick) {
-        ASSERT_TRUE(air.advance_to(*wind, 0.5 * (tick + 1)));
+        const auto advanced = air.advance_to(*wind, 0.5 * (tick + 1));
+        ASSERT_TRUE(advanced) << advanced.error();
         counts.push_back(wind->obstacles().count());
         if (tick == 2) // up to 1.5 s
             for (const Obstacles::Slot& slot : wind->obstacles().slots())
@@ -105,6 +108,37 @@ TEST(SceneObstacles, ComeMoveTurnAndGo) {
     ASSERT_EQ(last.size(), 4u);
     EXPECT_NEAR(last[3].position.x, -1.5, 1e-9) << "the train, which came last";
     EXPECT_NEAR(turn_of(last[1].orientation).x, 45.0, 1e-3) << "the door";
+}
+
+// A door on its hinge, and a wheel that turns ten times a second: a whole turn in each step of .1 s, which its poses do not show.
+TEST(SceneObstacles, TurnAboutAPivotAndAsOftenAsTheySay) {
+    const auto scene = read_scene_text(R"({
+        "air": {"cells": [16, 8, 8]},
+        "paths": {"hinge": {"points": [[0, 0, 0, 0], [1, 90, 0, 0]]}},
+        "obstacles": [
+            {"name": "door", "position": [2, 0, 0], "turn_path": "hinge", "pivot": [-1, 0, 0],
+             "shape": {"block": {"half_size": [1, 1, 0.1]}}},
+            {"name": "wheel", "position": [-3, 0, 0], "rpm": [0, 0, 600], "shape": {"block": {"half_size": [1, 0.3, 0.5]}}}
+        ]})",
+                                       "turning.json");
+    ASSERT_TRUE(scene) << scene.error();
+    auto wind = Wind::create(scene->air);
+    ASSERT_TRUE(wind) << wind.error();
+    SceneAir air(*scene);
+    ASSERT_TRUE(air.begin(*wind));
+    EXPECT_NEAR(wind->obstacles().slots()[0].obstacle.position.x, 3.0, 1e-6);
+    int fast = 0;
+    for (int tick = 0; tick < 10; ++tick) {
+        ASSERT_TRUE(air.advance_to(*wind, 0.1 * (tick + 1)));
+        fast += wind->step(0.1).fast_turns;
+    }
+    const Obstacle& door = wind->obstacles().slots()[0].obstacle;
+    EXPECT_LT(glm::length(door.position - glm::dvec3(2.0, 0.0, -1.0)), 1e-5) << "turned by 90 degrees about x = 2";
+    EXPECT_EQ(fast, 10);
+    double spin = 0.0;
+    for (const PlacedObstacle& body : wind->obstacles().in_reach())
+        spin = std::max(spin, static_cast<double>(body.spin.z));
+    EXPECT_NEAR(spin, 20.0 * std::numbers::pi, 1e-3);
 }
 
 TEST(SceneObstacles, ASceneOfMoreThanFitIsRejected) {

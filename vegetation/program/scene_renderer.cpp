@@ -213,7 +213,7 @@ Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
             continue;
         const render::Solid solid = render::obstacle_solid(body.obstacle.shape, drawn);
         const bool always = body.from <= 0.0 && body.until > scene_.air.duration;
-        if (always && !body.path && !body.turn_path) {
+        if (always && !body.moves() && body.pivot == glm::dvec3(0.0)) {
             render::add(shapes.front(), solid, placed_at(body.obstacle, anchor_));
         } else {
             shapes.push_back(solid);

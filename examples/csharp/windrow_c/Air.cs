@@ -190,6 +190,8 @@ namespace Windrow
         public Simd Simd;
         public ParallelFor ParallelFor;
         public double Floor;
+        public float JumpSpeed;
+        public uint Reserved2;
         public static Config Default() { return Native.Filled<Config>(windrow_config_init); }
         [DllImport(Native.Library)] private static extern int windrow_config_init(out Config it, uint size);
     }
@@ -371,6 +373,10 @@ namespace Windrow
         public double DivergenceRms, Energy;
         public int Asleep, MotorsLost;
         public StageTimes TimesMs;
+        public int Jumps;
+        public uint Reserved;
+        public int FastTurns;
+        public uint Reserved2;
         public static Diagnostics Default() { return Native.Filled<Diagnostics>(windrow_diagnostics_init); }
         [DllImport(Native.Library)] private static extern int windrow_diagnostics_init(out Diagnostics it, uint size);
     }

@@ -112,7 +112,8 @@ class Config(c.Structure):
                 ("sleep_speed", c.c_float), ("scheme", c.c_int32), ("interpolation", c.c_int32), ("max_cfl", c.c_float),
                 ("max_substeps", c.c_int32), ("pressure_solves", c.c_int32), ("stages", c.c_uint32),
                 ("ticks_hz", c.c_double), ("ticks_max_per_call", c.c_int32), ("simd", c.c_int32),
-                ("parallel_for", ParallelFor), ("floor", c.c_double)]
+                ("parallel_for", ParallelFor), ("floor", c.c_double), ("jump_speed", c.c_float),
+                ("reserved_2", c.c_uint32)]
 
 
 class Sampling(c.Structure):
@@ -213,7 +214,8 @@ class Diagnostics(c.Structure):
                 ("limited_cells", c.c_int64), ("repaired_cells", c.c_int64), ("diffusion", c.c_int32),
                 ("pressure_residual", c.c_float), ("pressure_solves", c.c_int32), ("sealed_sources", c.c_int32),
                 ("divergence_rms", c.c_double), ("energy", c.c_double), ("asleep", c.c_int32),
-                ("motors_lost", c.c_int32), ("times_ms", StageTimes)]
+                ("motors_lost", c.c_int32), ("times_ms", StageTimes), ("jumps", c.c_int32), ("reserved", c.c_uint32),
+                ("fast_turns", c.c_int32), ("reserved_2", c.c_uint32)]
 
 
 class Advance(c.Structure):

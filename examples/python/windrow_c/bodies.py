@@ -149,7 +149,7 @@ BODIES = [
     ("windrow_wind_add_obstacle", c.c_int32, c.c_void_p, P(Obstacle), P(ObstacleId)),
     ("windrow_wind_set_obstacle", c.c_int32, c.c_void_p, ObstacleId, P(Obstacle)),
     ("windrow_wind_get_obstacle", c.c_int32, c.c_void_p, ObstacleId, P(Obstacle)),
-    ("windrow_wind_move_obstacle", c.c_int32, c.c_void_p, ObstacleId, DVec3, P(Quat)),
+    ("windrow_wind_move_obstacle", c.c_int32, c.c_void_p, ObstacleId, DVec3, P(Quat), P(Vec3)),
     ("windrow_wind_remove_obstacle", c.c_int32, c.c_void_p, ObstacleId),
     ("windrow_wind_obstacle_count", c.c_int32, c.c_void_p),
     ("windrow_obstacle_force_init", c.c_int32, P(ObstacleForce), c.c_uint32),

@@ -160,7 +160,7 @@ pub struct Config {
     pub viscosity: f32, pub relaxation_time: f32, pub sleep_speed: f32, pub scheme: Scheme,
     pub interpolation: Interpolation, pub max_cfl: f32, pub max_substeps: i32, pub pressure_solves: i32,
     pub stages: u32, pub ticks_hz: f64, pub ticks_max_per_call: i32, pub simd: Simd, pub parallel_for: ParallelFor,
-    pub floor: f64,
+    pub floor: f64, pub jump_speed: f32, pub reserved_2: u32,
 }
 
 #[repr(C)]
@@ -293,7 +293,8 @@ pub struct Diagnostics {
     pub cfl: f32, pub substeps: i32, pub substeps_capped: i32, pub carried_time: f32, pub motors_in_reach: i32,
     pub limited_cells: i64, pub repaired_cells: i64, pub diffusion: DiffusionMethod, pub pressure_residual: f32,
     pub pressure_solves: i32, pub sealed_sources: i32, pub divergence_rms: f64, pub energy: f64, pub asleep: i32,
-    pub motors_lost: i32, pub times_ms: StageTimes,
+    pub motors_lost: i32, pub times_ms: StageTimes, pub jumps: i32, pub reserved: u32, pub fast_turns: i32,
+    pub reserved_2: u32,
 }
 
 #[repr(C)]
@@ -325,7 +326,7 @@ const _: () = {
     assert!(size_of::<UVec2>() == 8); assert!(size_of::<ParallelFor>() == 16); assert!(size_of::<Boundary>() == 16);
     assert!(size_of::<Boundaries>() == 96); assert!(size_of::<LogProfile>() == 12); assert!(size_of::<Gusts>() == 24);
     assert!(size_of::<Canopy>() == 12); assert!(size_of::<RoughnessMap>() == 56); assert!(size_of::<Roughness>() == 24);
-    assert!(size_of::<Rows>() == 32); assert!(size_of::<Config>() == 280); assert!(size_of::<Sampling>() == 20);
+    assert!(size_of::<Rows>() == 32); assert!(size_of::<Config>() == 288); assert!(size_of::<Sampling>() == 20);
     assert!(size_of::<AmbientSettings>() == 40); assert!(size_of::<UniformGust>() == 32);
     assert!(size_of::<WindowBlock>() == 144); assert!(size_of::<AxisBlock>() == 32);
     assert!(size_of::<PlaceBlock>() == 96); assert!(size_of::<AmbientBlock>() == 112);
@@ -335,7 +336,7 @@ const _: () = {
     assert!(size_of::<SwingBlock>() == 80); assert!(size_of::<FlutterBlock>() == 48);
     assert!(size_of::<PoseBlock>() == 32); assert!(size_of::<GroundPlaceBlock>() == 48);
     assert!(size_of::<GroundBlock>() == 96); assert!(size_of::<StageTimes>() == 64);
-    assert!(size_of::<Diagnostics>() == 160); assert!(size_of::<Advance>() == 24); assert!(size_of::<Box>() == 152);
+    assert!(size_of::<Diagnostics>() == 176); assert!(size_of::<Advance>() == 24); assert!(size_of::<Box>() == 152);
     assert!(size_of::<Query>() == 80);
 };
 

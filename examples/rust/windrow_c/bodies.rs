@@ -198,7 +198,7 @@ extern "C" {
     pub fn windrow_wind_set_obstacle(wind: *mut c_void, id: ObstacleId, obstacle: *const Obstacle) -> ResultCode;
     pub fn windrow_wind_get_obstacle(wind: *const c_void, id: ObstacleId, obstacle: *mut Obstacle) -> ResultCode;
     pub fn windrow_wind_move_obstacle(
-        wind: *mut c_void, id: ObstacleId, position: DVec3, orientation: *const Quat
+        wind: *mut c_void, id: ObstacleId, position: DVec3, orientation: *const Quat, spin: *const Vec3
     ) -> ResultCode;
     pub fn windrow_wind_remove_obstacle(wind: *mut c_void, id: ObstacleId) -> ResultCode;
     pub fn windrow_wind_obstacle_count(wind: *const c_void) -> i32;
