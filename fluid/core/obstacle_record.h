@@ -238,7 +238,8 @@ struct ObstacleFields {
         bool turned = glm::determinant(body.axes) > 0.0f;
         for (int axis = 0; axis < 3; ++axis)
             turned = turned && glm::length(square[axis] - glm::mat3(1.0f)[axis]) < 1e-3f;
-        reader.require(finite(body.position) && finite(body.velocity) && finite(body.spin) && turned &&
+        reader.require(finite(body.velocity) && finite(body.spin) && turned &&
+                           detail::in_range(glm::dvec3(body.position), 2.0 * k_world_range.max) &&
                            body.slot < Obstacles::k_capacity && validate(Obstacle{.shape = body.shape, .surface = body.surface}),
                        "an obstacle of its last step is out of range.");
     }

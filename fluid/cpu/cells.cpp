@@ -7,6 +7,7 @@
 #include "fluid/grid/box_rules.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -34,6 +35,19 @@ glm::vec4 cell_at(const float* cell) {
 template <class Visit>
 void for_each_cell(glm::ivec3 cells, const Visit& visit) {
     for_each_exposed(cells, CellIndex(cells), visit);
+}
+
+// As a tick of the wind places bodies: those that meet the box grown by some cells.
+bool is_in_reach(const PlacedObstacle& body, const Box& box) {
+    const detail::Extent extent = detail::extent_of(body);
+    const glm::vec3 size = box.size(), margin(4.0f * box.cell_size);
+    bool meets = true;
+    for (int axis = 0; axis < 3; ++axis)
+        meets =
+            meets && (box.boundaries.periodic(axis) ? std::abs(body.position[axis]) <= 2.0f * size[axis]
+                                                    : body.position[axis] + extent.high[axis] >= -margin[axis] &&
+                                                          body.position[axis] + extent.low[axis] <= size[axis] + margin[axis]);
+    return meets;
 }
 
 } // namespace
@@ -309,6 +323,7 @@ void Cells::set_surface_history(SurfaceHistory&& history) {
     work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
     placed_ = std::move(history.placed);
+    std::erase_if(placed_, [&](const PlacedObstacle& body) { return !is_in_reach(body, box()); }); // forged
     put_obstacles(glm::ivec3(0));
     inside_is_air_ = history.inside_is_air;
     unplaced_shift_ = history.shift;

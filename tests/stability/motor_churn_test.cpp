@@ -74,7 +74,7 @@ TEST(MotorChurn, BornAndKilledInEveryStep) {
 
 TEST(MotorChurn, MovedFarInEveryStep) {
     for (int kind = 0; kind < 4; ++kind) {
-        Wind wind = made({.cells = k_churned_cells, .boundaries = Boundaries::all(k_kinds[kind])});
+        Wind wind = made({.cells = k_churned_cells, .boundaries = Boundaries::all(k_kinds[kind]), .jump_speed = 0.0f});
         Random random(62);
         std::vector<MotorId> motors;
         for (int n = 0; n < 12; ++n)

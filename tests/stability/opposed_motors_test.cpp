@@ -83,7 +83,10 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
         for (const auto& manner : k_manners) {
             Worst worst;
             for (const BoundaryKind kind : k_kinds) {
-                Wind wind = made({.cells = k_opposed_cells, .boundaries = Boundaries::all(kind), .max_cfl = manner.max_cfl});
+                Wind wind = made({.cells = k_opposed_cells,
+                                  .boundaries = Boundaries::all(kind),
+                                  .jump_speed = 0.0f,
+                                  .max_cfl = manner.max_cfl});
                 const auto prepare = opponents.add(wind);
                 const double carried = std::sqrt(3.0) * 8.0 * static_cast<double>(manner.max_cfl) / manner.dt;
                 Watch watch(wind, std::min(double(k_opposed_speed), carried));

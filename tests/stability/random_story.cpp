@@ -299,6 +299,7 @@ rc::Gen<Story> any_story() {
                 Roughness{.length = single(spread(1e-4, 10.0)), .longest_mixing = single(pick(0, 1) * spread(0.1, 10.0))};
         any.blend_width = single(pick(0, 4));
         any.sleep_speed = pick(0, 2) < 2 ? 1e-3f : 0.0f;
+        any.jump_speed = 0.0f; // wakes of any speed
         any.max_cfl = pick(0, 1) == 0 ? 2.0f : single(spread(0.5, 50.0));
         any.max_substeps = pick(1, 8);
         any.ticks.hz = spread(5.0, 200.0);

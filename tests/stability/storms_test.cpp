@@ -43,7 +43,7 @@ TEST(Storms, TheStrongestForceAndTheStrongestWake) {
     pushed.run(1'000, dt);
     pushed.judge("strongest_force", {k_input_energy, 2.0});
 
-    Wind dragged = made({.cells = {24, 12, 16}});
+    Wind dragged = made({.cells = {24, 12, 16}, .jump_speed = 0.0f});
     const MotorId body = added(dragged, WakeMotor{.radius = 3.0f, .law = WakeDrive{.per_metre = 1e4f, .entrainment = 2.0f}});
     Random random(32);
     std::vector<glm::dvec3> path{{0.0, 0.0, 0.0}};
@@ -65,7 +65,11 @@ TEST(Storms, TheStrongestForceAndTheStrongestWake) {
 // CFL 100 and more, steps of a second among short ones, motors of 1000 m/s against each other, a cell without a number now and
 // then, a shift in every step, walls that come and go.
 void expect_bounded_with_all_at_once(const std::string& name, glm::ivec3 cells, float viscosity) {
-    Wind wind = made({.cells = cells, .ambient = {5.0f, 1.0f, -3.0f}, .gusts = {.intensity = 0.3f}, .viscosity = viscosity});
+    Wind wind = made({.cells = cells,
+                      .ambient = {5.0f, 1.0f, -3.0f},
+                      .gusts = {.intensity = 0.3f},
+                      .viscosity = viscosity,
+                      .jump_speed = 0.0f});
     const float speed = 1000.0f;
     drive(wind, {-3.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, speed);
     drive(wind, {3.0, 0.0, 0.0}, {-1.0f, 0.0f, 0.0f}, speed);
