@@ -101,7 +101,7 @@ glm::vec3 SolidFlow::prescribed_at(const PrescribedFlow& prescribed, std::uint32
 }
 
 // Fields in one pass over the lists, which are long. across(source, field): the velocity of the wall along a source's normal. `map`
-// tells where the fields hold a cell of the lists; a ghost that lacks some of its sources stays as it is.
+// returns where the fields hold a cell of the lists; a ghost without all of its sources keeps its value.
 template <std::size_t Count, class Across, class Map>
 void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across, const Map& map) const {
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();

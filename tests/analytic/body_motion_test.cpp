@@ -10,8 +10,8 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-// A body is moved over a respawn, and a walker with its wake: neither sweeps what lies between, and the air stays as still as it was. A
-// move below Config::jump_speed pushes the air at that speed.
+// An obstacle and a wake are moved faster than Config::jump_speed: the air between the two places stays still. Slower, the obstacle
+// pushes the air at the speed of the move.
 TEST(BodiesThatMove, AJumpPushesNoAir) {
     for (const bool ticks : {false, true})
         for (const double way : {1.0, 3.0, 10.0, 1000.0}) {
