@@ -164,9 +164,9 @@ typedef struct windrow_ground_config {
     /* [m] 0.001 to 12800, default 2. Width over which the memory fades to the lean of the wind at the window's edge; at most a
        quarter of the window. */
     float blend_width;
-    /* [m] 0.01 to 10000, default 20. Longest way of a walker in a step; a longer one is a teleport and sweeps nothing. 20 is
-       50 m/s at 2.5 frames a second. */
-    float max_stride;
+    /* [m/s] 0 (never) to 1e9, default 100. A walker that moved faster in the step has jumped: it stands at its new place and
+       sweeps nothing on the way. As that of the wind (windrow_config.jump_speed). */
+    float jump_speed;
     /* 1 to 256, default 64. Maximal number of walkers in the window per step. Of more, only the first ones count. */
     int32_t max_walkers;
     /* 0 */

@@ -97,10 +97,21 @@ typedef struct windrow_diagnostics {
     /* 0 */
     uint32_t reserved;
     /* Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and the
-       moment on them is 5 to 20 % off. A vortex motor is the wind of a fast rotor. */
+       moment on them comes out low, by a third at worst. A vortex motor is the wind of a fast rotor. */
     int32_t fast_turns;
     /* 0 */
     uint32_t reserved_2;
+    /* Obstacles, grounds aside, of which each fills more than half of the box, so that little wind is left: a mistake of units
+       in most scenes. Lengths are metres. */
+    int32_t filling_obstacles;
+    /* 0 */
+    uint32_t reserved_3;
+    /* Parts of the air without an opening whose volume moving walls change: a closed room, or all air of a box without an open
+       boundary. Incompressible air cannot leave: it takes the change evenly, as if it were pressed together, and its pressure
+       is relative to none. */
+    int32_t sealed_rooms;
+    /* 0 */
+    uint32_t reserved_4;
 } windrow_diagnostics;
 WINDROW_C_API windrow_result windrow_diagnostics_init(windrow_diagnostics* diagnostics, uint32_t struct_size);
 

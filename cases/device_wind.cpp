@@ -71,8 +71,10 @@ Diagnostics DeviceWind::run(double dt) const {
         reported.motors_lost = done.motors_lost;
         reported.jumps = done.jumps;
         reported.fast_turns = done.fast_turns;
+        reported.filling_obstacles = done.filling_obstacles;
         reported.diffusion = done.diffusion;
         reported.sealed_sources = done.sealed_sources;
+        reported.sealed_rooms = done.sealed_rooms;
         done = reported;
         if (const auto times = wind_->pass_times())
             for (const vulkan::PassTimes::Pass& pass : times->passes)

@@ -34,6 +34,22 @@ std::string slept(const Timings& timings) {
     return text + " (medians)";
 }
 
+/// "$.obstacles[2] (house) is 200 x 80 x 120 m large."
+std::string largest_text(const scene::Scene& scene) {
+    std::string text;
+    float largest = 0.0f;
+    for (std::size_t n = 0; n < scene.obstacles.size(); ++n) {
+        const scene::SceneObstacle& body = scene.obstacles[n];
+        const glm::vec3 size = 2.0f * windrow::detail::half_extent(body.obstacle.shape);
+        const float volume = size.x * size.y * size.z;
+        if (std::holds_alternative<Ground>(body.obstacle.shape) || volume <= largest)
+            continue;
+        largest = volume;
+        text = message("$.obstacles[", n, "] (", body.name, ") is ", size.x, " x ", size.y, " x ", size.z, " m large.");
+    }
+    return text;
+}
+
 void warn(const RunReport& report, const Console& console) {
     const Timings& timings = report.timings;
     if (timings.limited_cells() > 0)
@@ -54,6 +70,12 @@ void warn(const RunReport& report, const Console& console) {
         console.warn(
             message("an obstacle turned by more than a sixth of a turn in ", plural(timings.fast_turns(), "step"),
                     ", so that its blades met the air at few places; raise tick_hz, or take a vortex motor for a rotor."));
+    if (timings.sealed() > 0)
+        console.warn(message("walls changed the volume of air that has no opening in ", plural(timings.sealed(), "step"),
+                             ": it was pressed together, which air at these speeds is not; leave a gap."));
+    if (timings.filled() > 0)
+        console.warn(message("an obstacle filled more than half of the box in ", plural(timings.filled(), "step"), "; ",
+                             largest_text(report.scene), " Lengths are metres: was it made in centimetres?"));
     if (timings.motors_lost() > 0)
         console.warn(message(plural(timings.motors_lost(), "motor"),
                              " reached no air in any step: ", timings.motors_lost() == 1 ? "it is" : "they are",

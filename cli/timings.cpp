@@ -70,6 +70,8 @@ void Timings::add(double time, const Diagnostics& diagnostics) {
     repaired_cells_ += diagnostics.repaired_cells;
     jumps_ += diagnostics.jumps;
     fast_turns_ += diagnostics.fast_turns > 0 ? 1 : 0;
+    filled_ += diagnostics.filling_obstacles > 0 ? 1 : 0;
+    sealed_ += diagnostics.sealed_rooms > 0 ? 1 : 0;
     motors_lost_ = std::min(diagnostics.motors_lost, motors_lost_.value_or(diagnostics.motors_lost));
     if (diagnostics.repaired_cells > 0 && !first_repair_time_)
         first_repair_time_ = time;

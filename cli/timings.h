@@ -33,7 +33,9 @@ class Timings {
     /// Motors that reached no air, at least so many in every step.
     [[nodiscard]] int motors_lost() const { return motors_lost_.value_or(0); }
     [[nodiscard]] std::int64_t jumps() const { return jumps_; }
-    [[nodiscard]] std::int64_t fast_turns() const { return fast_turns_; }                       ///< steps with one
+    [[nodiscard]] std::int64_t fast_turns() const { return fast_turns_; } ///< steps with one
+    [[nodiscard]] std::int64_t filled() const { return filled_; }         ///< steps with an obstacle that fills the box
+    [[nodiscard]] std::int64_t sealed() const { return sealed_; }         ///< steps with a sealed room that changes
     [[nodiscard]] double first_repair_time() const { return first_repair_time_.value_or(0.0); } ///< [s]
     /// [s] Wall-clock time of all steps.
     [[nodiscard]] double solver_seconds() const;
@@ -51,7 +53,7 @@ class Timings {
     std::int64_t limited_cells_ = 0;
     std::int64_t limited_steps_ = 0;
     std::int64_t repaired_cells_ = 0;
-    std::int64_t jumps_ = 0, fast_turns_ = 0;
+    std::int64_t jumps_ = 0, fast_turns_ = 0, filled_ = 0, sealed_ = 0;
     std::optional<int> motors_lost_{};
     std::optional<double> first_repair_time_;
 };

@@ -22,7 +22,7 @@ struct GroundConfig {
     float trample_time = 0.8f;
     float clearance = 0.4f;
     float blend_width = 2.0f;
-    float max_stride = 20.0f;
+    float jump_speed = 100.0f;
     int max_walkers = 64;
 
     static constexpr auto settings() {
@@ -48,9 +48,10 @@ struct GroundConfig {
             Setting("blend_width", &GroundConfig::blend_width, {0.001, 12800.0, "m"},
                     "Width over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the "
                     "window."),
-            Setting("max_stride", &GroundConfig::max_stride, {0.01, 1e4, "m"},
-                    "Longest way of a walker in a step; a longer one is a teleport and sweeps nothing. 20 is 50 m/s at 2.5 "
-                    "frames a second."),
+            Setting(
+                "jump_speed", &GroundConfig::jump_speed, {0.0, 1e9, "m/s", "never"},
+                "A walker that moved faster in the step has jumped: it stands at its new place and sweeps nothing on the way. As "
+                "that of the wind (Config::jump_speed)."),
             Setting("max_walkers", &GroundConfig::max_walkers, {1.0, 256.0},
                     "Maximal number of walkers in the window per step. Of more, only the first ones count."),
         };

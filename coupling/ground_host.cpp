@@ -3,6 +3,7 @@
 #include "coupling/ground_fading.h"
 #include "fluid/core/message.h"
 #include "fluid/portable_math.h"
+#include "fluid/timed_path.h"
 
 #include <algorithm>
 #include <bit>
@@ -50,14 +51,14 @@ glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
 }
 
 // In texels from the corner; empty where the sweep's bounds are outside the window.
-std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, Texel corner) const {
+std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, double duration, Texel corner) const {
     const double size = config_.texel_size;
     const auto place = [&](glm::dvec3 p) {
         return glm::dvec2(p.x / size - static_cast<double>(corner.x), p.z / size - static_cast<double>(corner.y));
     };
     const glm::dvec2 to = place(walker.position);
-    const glm::dvec2 stride(walker.position.x - walker.previous.x, walker.position.z - walker.previous.z);
-    const bool jumped = glm::length(stride) > static_cast<double>(config_.max_stride);
+    const glm::dvec3 way(walker.position.x - walker.previous.x, 0.0, walker.position.z - walker.previous.z);
+    const bool jumped = detail::is_jump(way, duration, config_.jump_speed);
     const glm::dvec2 from = jumped ? to : place(walker.previous);
     // Each place is within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
     const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);
@@ -88,7 +89,7 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
     walker_count_ = 0;
     left_out_ = 0;
     for (const GroundWalker& walker : step.walkers)
-        if (const auto found = local(walker, next.corner)) {
+        if (const auto found = local(walker, step.duration, next.corner)) {
             if (walker_count_ < walkers_.size())
                 walkers_[walker_count_++] = *found;
             else

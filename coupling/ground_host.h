@@ -51,7 +51,7 @@ class WINDROW_INTERNAL GroundHost {
     [[nodiscard]] Texel corner_about(glm::dvec2 point) const;
     [[nodiscard]] glm::ivec2 slot_of(Texel corner) const;
     [[nodiscard]] GroundPlaceBlock place_block(const Place& place, glm::dvec3 anchor) const;
-    [[nodiscard]] std::optional<numerics::WindrowWalker> local(const GroundWalker& walker, Texel corner) const;
+    [[nodiscard]] std::optional<numerics::WindrowWalker> local(const GroundWalker& walker, double duration, Texel corner) const;
 
     GroundConfig config_;
     glm::dvec2 point_{0.0};

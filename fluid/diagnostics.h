@@ -69,10 +69,12 @@ struct Diagnostics {
     int motors_lost = 0;
     int jumps = 0;
     int fast_turns = 0;
+    int filling_obstacles = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
     float pressure_residual = 0.0f;
     int pressure_solves = 0;
     int sealed_sources = 0;
+    int sealed_rooms = 0;
     double divergence_rms = 0.0;
     double energy = 0.0;
     bool asleep = false;
@@ -119,7 +121,11 @@ struct Diagnostics {
             ReportRow{
                 "fast_turns", &Diagnostics::fast_turns, "",
                 "Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and "
-                "the moment on them is 5 to 20 % off. A vortex motor is the wind of a fast rotor."},
+                "the moment on them comes out low, by a third at worst. A vortex motor is the wind of a fast rotor."},
+            ReportRow{"filling_obstacles", &Diagnostics::filling_obstacles, "",
+                      "Obstacles, grounds aside, of which each fills more than half of the box, so that little wind is left: a "
+                      "mistake of "
+                      "units in most scenes. Lengths are metres."},
             ReportRow{"diffusion", &Diagnostics::diffusion, "",
                       "How viscosity acted: not at all, in one explicit pass, or by a direct solve."},
             ReportRow{
@@ -131,6 +137,10 @@ struct Diagnostics {
             ReportRow{"sealed_sources", &Diagnostics::sealed_sources, "",
                       "Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is "
                       "taken out again, evenly, from all air of that room: incompressible air cannot leave it."},
+            ReportRow{"sealed_rooms", &Diagnostics::sealed_rooms, "",
+                      "Parts of the air without an opening whose volume moving walls change: a closed room, or all air of a box "
+                      "without an open boundary. Incompressible air cannot leave: it takes the change evenly, as if it were pressed "
+                      "together, and its pressure is relative to none."},
             ReportRow{"divergence_rms", &Diagnostics::divergence_rms, "1/s",
                       "Root mean square of the central divergence that the collocated projection leaves."},
             ReportRow{"energy", &Diagnostics::energy, "m^5/s^2",

@@ -46,8 +46,8 @@ namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
     auto& [stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells,
-           repaired_cells, motors_in_reach, motors_lost, jumps, fast_turns, diffusion, pressure_residual, pressure_solves,
-           sealed_sources, divergence_rms, energy, asleep, times_ms] = report;
+           repaired_cells, motors_in_reach, motors_lost, jumps, fast_turns, filling_obstacles, diffusion, pressure_residual,
+           pressure_solves, sealed_sources, sealed_rooms, divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
             pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep);
 }

@@ -252,6 +252,41 @@ inline std::vector<Scenario> scenarios(bool whole) {
     };
     driven.steps = 12;
     rows.push_back(std::move(driven));
+    // Sealed air: a piston that fills a tube, and a closed box in which bodies move.
+    rows.push_back({.name = "piston",
+                    .begin =
+                        [](WindControl& wind) {
+                            const auto add = [&](glm::dvec3 at, glm::vec3 half) {
+                                must(wind.obstacles().add({.position = at, .shape = Block{half}}));
+                            };
+                            add({-5.0, 0.0, 0.0}, {2.3f, 2.2f, 2.2f}); // the piston
+                            for (const double side : {-3.0, 3.0}) {
+                                add({0.0, side, 0.0}, {9.0f, 1.0f, 4.0f});
+                                add({0.0, 0.0, side}, {9.0f, 2.0f, 1.0f});
+                            }
+                            add({9.0, 0.0, 0.0}, {1.0f, 4.0f, 4.0f});
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.obstacles().move(obstacle_id(), {-5.0 + 0.03 * (n + 1), 0.0, 0.0}));
+                        },
+                    .steps = 40});
+    rows.push_back({.name = "closed_box",
+                    .config =
+                        [](Config& c) {
+                            c.boundaries = Boundaries::all(BoundaryKind::free_slip);
+                            c.gusts.intensity = 0.2f;
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add({.position = {-4.0, 2.0, 0.0}, .shape = Sphere{2.3f}}));
+                            must(wind.obstacles().add({.position = {-2.0, 1.0, 1.0}, .shape = Block{{3.0f, 2.0f, 2.0f}}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.obstacles().move(obstacle_id(), {-4.0, 2.0 + 0.04 * (n + 1), 0.0}));
+                        },
+                    .steps = 40});
     rows.push_back({.name = "sleep",
                     .config =
                         [](Config& c) {

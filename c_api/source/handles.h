@@ -52,6 +52,7 @@ struct windrow_wind {
     windrow::WindReader* reader = nullptr;
     windrow::Wind* cpu = nullptr; ///< null: on a device
     int motors_lost = 0;          ///< of which the host was warned
+    int filling_obstacles = 0;    ///< the same
 
     /// What the pointers of windrow_wind_config point to.
     struct ConfigStore {

@@ -26,7 +26,7 @@ WINDROW_C_STRUCT(windrow_spring_class, SpringClass, frequency_hz, damping);
 WINDROW_C_STRUCT(windrow_flutter_class, FlutterClass, frequency_hz, most, onset);
 WINDROW_C_STRUCT(windrow_cascade_config, CascadeConfig, stages, lag);
 WINDROW_C_STRUCT(windrow_ground_config, GroundConfig, texels, texel_size, spring, push, trail_fraction, trail_time, trample_time,
-                 clearance, blend_width, max_stride, max_walkers);
+                 clearance, blend_width, jump_speed, max_walkers);
 // --- End of what ./dev schema makes -----------------------------------------------------------------------------------
 
 // Structs without a table of settings.

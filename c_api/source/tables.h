@@ -24,8 +24,9 @@ WINDROW_C_STRUCT(windrow_ambient_settings, AmbientWind::Settings, mean, profile,
 // wind.h
 WINDROW_C_STRUCT(windrow_stage_times, StageTimes, sources, ambient, diffusion, advection, projection, obstacles, report, total);
 WINDROW_C_STRUCT(windrow_diagnostics, Diagnostics, stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped,
-                 carried_time, limited_cells, repaired_cells, motors_in_reach, motors_lost, jumps, fast_turns, diffusion,
-                 pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep, times_ms);
+                 carried_time, limited_cells, repaired_cells, motors_in_reach, motors_lost, jumps, fast_turns, filling_obstacles,
+                 diffusion, pressure_residual, pressure_solves, sealed_sources, sealed_rooms, divergence_rms, energy, asleep,
+                 times_ms);
 // motors.h
 WINDROW_C_STRUCT(windrow_envelope, Envelope, attack, hold, decay, delay);
 WINDROW_C_STRUCT(windrow_turbulence, Turbulence, intensity, length, seed);

@@ -20,6 +20,9 @@ void windrow::c_api::warn_of(windrow_wind& wind, const Diagnostics& report) {
     if (report.motors_lost > wind.motors_lost) [[unlikely]]
         warn("a motor acts on no air where it is: it is under the ground or far outside of the box; move it or the floor.");
     wind.motors_lost = report.motors_lost;
+    if (report.filling_obstacles > wind.filling_obstacles) [[unlikely]]
+        warn("an obstacle fills more than half of the box, so that little wind is left: are its lengths metres?");
+    wind.filling_obstacles = report.filling_obstacles;
 }
 
 namespace {

@@ -116,6 +116,8 @@ void Cells::still_new_rooms() {
 bool Cells::worked_on(std::span<const std::uint32_t> room) const {
     const Solids& solids = *work.state().solids;
     const auto width = static_cast<std::uint32_t>(box().cells.x);
+    if (bodies_move_ && solids.walls_move(room))
+        return true;
     return std::any_of(room.begin(), room.end(), [&](std::uint32_t cell) {
         const std::uint32_t row = cell / width, i = cell % width;
         const SourceField::Range driven = sources.driven(row);
@@ -123,9 +125,8 @@ bool Cells::worked_on(std::span<const std::uint32_t> room) const {
             return true;
         if (const glm::vec4* const force = sources.force_row(row); force != nullptr && force[i] != glm::vec4(0.0f))
             return true;
-        if (const std::span<const float> expansion = sources.expansion(); !expansion.empty() && expansion[cell] != 0.0f)
-            return true;
-        return bodies_move_ && solids.beside_moving(cell);
+        const std::span<const float> expansion = sources.expansion();
+        return !expansion.empty() && expansion[cell] != 0.0f;
     });
 }
 

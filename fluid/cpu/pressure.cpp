@@ -162,6 +162,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     watch.emplace("windrow obstacles", obstacles_ms);
     flow.find_residual(potential.data(), solid_terms, guess, closed_slopes, residual_terms);
     leave_out_shut(residual_terms);
+    flow.balance(residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return residual_terms[n]; }); };
 
     around.solved = 1;
@@ -199,11 +200,13 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         add_to_rows(potential, direction, alpha);
         for (std::size_t n = 0; n < cells.size(); ++n)
             residual_terms[n] -= alpha * masked_terms[n];
+        flow.balance(residual_terms);
         left = residual();
         ++around.solved;
     }
     watch.emplace("windrow obstacles", obstacles_ms);
-    if (searched)
+    flow.level(potential.data());
+    if (searched || !solids->sealed_parts().empty())
         flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
     if (around.keeps_terms)

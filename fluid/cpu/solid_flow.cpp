@@ -177,6 +177,51 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
         guessed[face.surface[0]] += scales.cell[0] * passed;
         guessed[face.surface[1]] -= scales.cell[1] * passed;
     });
+    if (bodies_move)
+        spread_changes(potential);
+}
+
+void SolidFlow::spread_changes(float* divergence) const {
+    if (solids_.other_change() != 0.0f)
+        for (std::uint32_t n = 0; n < box_.cell_count(); ++n)
+            divergence[solids_.potential_of(solids_.place_of(n))] -= solids_.change_in(n);
+    else
+        for (const std::uint32_t cell : solids_.sealed_cells())
+            divergence[solids_.potential_of(solids_.place_of(cell))] -= solids_.change_in(cell);
+}
+
+void SolidFlow::level(float* potential) const {
+    std::size_t first = 0;
+    for (const Solids::SealedPart& part : solids_.sealed_parts()) {
+        const auto cells = solids_.sealed_cells().subspan(first, part.end - first);
+        double sum = 0.0, whole = 0.0;
+        for (const std::uint32_t cell : cells) {
+            const auto volume = static_cast<double>(box_.volume(solids_.place_of(cell).y));
+            sum += volume * static_cast<double>(potential[solids_.potential_of(solids_.place_of(cell))]);
+            whole += volume;
+        }
+        const auto mean = static_cast<float>(sum / whole);
+        for (const std::uint32_t cell : cells)
+            potential[solids_.potential_of(solids_.place_of(cell))] -= mean;
+        first = part.end;
+    }
+}
+
+void SolidFlow::balance(std::span<float> residual) const {
+    const std::span<const Solids::SurfaceCell> surface = solids_.surface();
+    std::size_t first = 0;
+    for (const Solids::SealedPart& part : solids_.sealed_parts()) {
+        const auto cells = solids_.sealed_surface().subspan(first, part.surface_end - first);
+        double sum = 0.0, whole = 0.0;
+        for (const std::uint32_t n : cells) {
+            sum += static_cast<double>(surface[n].volume) * static_cast<double>(residual[n]);
+            whole += static_cast<double>(surface[n].volume);
+        }
+        const auto mean = static_cast<float>(sum / whole);
+        for (const std::uint32_t n : cells)
+            residual[n] -= mean;
+        first = part.surface_end;
+    }
 }
 
 // Of a face's flux, in the cell at one end.

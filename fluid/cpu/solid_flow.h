@@ -35,6 +35,10 @@ class SolidFlow {
     /// in surface cells: B phi of `factor` times the slopes of a guess.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& prescribed, bool bodies_move,
                           std::span<const float> guess, float factor, float* potential, std::span<float> guessed) const;
+    /// The pressure in sealed air is relative to none: takes the mean of a potential off in each of its parts.
+    void level(float* potential) const;
+    /// Takes from what a potential leaves, in surface cells, what none can take: the constant in each sealed part, which is rounding.
+    void balance(std::span<float> residual) const;
     /// slope[n] = closed times the potential's difference over face n.
     void closed_slopes(const float* potential, std::span<float> slope) const;
     /// terms += factor times B phi of such slopes, in surface cells.
@@ -72,6 +76,8 @@ class SolidFlow {
     [[nodiscard]] glm::vec3 prescribed_at(const PrescribedFlow& prescribed, std::uint32_t cell) const;
     [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& prescribed, std::uint32_t cell) const;
     [[nodiscard]] float blown_past(const PrescribedFlow& prescribed, const ClosedFace& face, int end) const;
+    /// Sealed air takes its change of volume evenly.
+    void spread_changes(float* divergence) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
     /// What closed faces take from the sums of central_divergence, one a surface cell.
     void find_flux(std::span<const glm::vec4> velocity, std::span<float> flux) const;

@@ -105,6 +105,10 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         inside_is_air_ = false;
     }
     *step.ambient = around_;
+    if (const Solids* const solids = work.state().solids.get()) {
+        report.sealed_rooms = solids->squeezed();
+        report.filling_obstacles = solids->filling();
+    }
     measure(report);
     // What forces and pressure have made of the air since.
     if (const float most = fastest_carried(dt);

@@ -7,16 +7,12 @@
 #include "fluid/solids/solids.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-#include <numeric>
+#include <utility>
 
 namespace windrow {
-namespace {
-
-constexpr float k_tight = 0.999f; // closed fraction of a face that joins nothing
-
-} // namespace
 
 void Solids::find_rooms() {
     rooms_.clear();
@@ -187,6 +183,139 @@ void Solids::close_rooms() {
         face_of_[3 * static_cast<std::size_t>(faces_[n].cell[0]) + faces_[n].axis] = static_cast<std::uint32_t>(n);
 }
 
+// --- Sealed air --------------------------------------------------------------------------------------------------------------
+
+void Solids::find_sealed() {
+    for (const std::uint32_t cell : sealed_cells_)
+        part_of_[cell] = 0;
+    sealed_.clear();
+    sealed_cells_.clear();
+    sealed_surface_.clear();
+    other_change_ = 0.0f;
+    squeezed_ = 0;
+    if (!rooms_.empty())
+        join_rooms();
+    const Boundaries& boundaries = box_.boundaries;
+    const bool closed = !boundaries.has_open(0) && !boundaries.has_open(1) && !boundaries.has_open(2);
+    if ((closed || !sealed_.empty()) &&
+        std::any_of(bodies_.begin(), bodies_.end(), [](const auto& body) { return body.moves(); }))
+        find_changes(closed);
+}
+
+// Rooms and the cells inside bodies that are open to them, as the pressure's operator joins them: a wall may be open in part to two.
+void Solids::join_rooms() {
+    if (part_of_.empty())
+        part_of_.resize(box_.cell_count(), 0);
+    const auto root_of = [&](std::uint32_t node) {
+        while (nodes_[node] != node)
+            node = nodes_[node] = nodes_[nodes_[node]];
+        return node;
+    };
+    const auto for_each_open_inside = [&](const auto& visit) {
+        for (const InsideCell& cell : inside_)
+            if (!cell.shut)
+                visit(cell);
+    };
+    // Nodes: the other air, the rooms, the cells.
+    nodes_.assign(1, 0);
+    const auto add_node = [&] {
+        nodes_.push_back(static_cast<std::uint32_t>(nodes_.size()));
+        return nodes_.back();
+    };
+    std::size_t first = 0;
+    for (const std::uint32_t end : room_ends_) {
+        const std::uint32_t node = add_node();
+        for (; first < end; ++first)
+            part_of_[rooms_[first]] = node;
+    }
+    for_each_open_inside([&](const InsideCell& cell) { part_of_[cell.cell] = add_node(); });
+    for_each_open_inside([&](const InsideCell& cell) {
+        for_each_neighbour(cell, [&](std::uint32_t other, int axis, std::uint32_t low) {
+            const ClosedFace* const between = face(low, axis);
+            if ((between != nullptr && between->closed >= k_tight) || (flags_[other] & k_shut) != 0)
+                return;
+            const std::uint32_t a = root_of(part_of_[cell.cell]), b = root_of(part_of_[other]);
+            nodes_[std::max(a, b)] = std::min(a, b);
+        });
+    });
+
+    node_parts_.assign(nodes_.size(), 0);
+    for (std::uint32_t node = 1; node <= room_ends_.size(); ++node)
+        if (const std::uint32_t root = root_of(node); root != 0 && node_parts_[root] == 0) {
+            sealed_.push_back({});
+            node_parts_[root] = static_cast<std::uint32_t>(sealed_.size());
+        }
+    const auto for_each_cell = [&](const auto& visit) {
+        for (const std::uint32_t cell : rooms_)
+            visit(cell);
+        for_each_open_inside([&](const InsideCell& cell) { visit(cell.cell); });
+    };
+    for_each_cell([&](std::uint32_t cell) {
+        std::uint32_t& part = part_of_[cell];
+        part = node_parts_[root_of(part)];
+        if (part > 0)
+            ++sealed_[part - 1].end;
+    });
+    for (const SurfaceCell& cell : surface_)
+        if (const std::uint32_t part = part_of_[cell.cell]; part > 0)
+            ++sealed_[part - 1].surface_end;
+    std::uint32_t total = 0, total_surface = 0;
+    for (SealedPart& part : sealed_) { // where its next cell is written, and after the last that of its end
+        total += std::exchange(part.end, total);
+        total_surface += std::exchange(part.surface_end, total_surface);
+    }
+    sealed_cells_.resize(total);
+    for_each_cell([&](std::uint32_t cell) {
+        if (const std::uint32_t part = part_of_[cell]; part > 0)
+            sealed_cells_[sealed_[part - 1].end++] = cell;
+    });
+    sealed_surface_.resize(total_surface);
+    for (std::uint32_t n = 0; n < surface_.size(); ++n)
+        if (const std::uint32_t part = part_of_[surface_[n].cell]; part > 0)
+            sealed_surface_[sealed_[part - 1].surface_end++] = n;
+}
+
+// The sum of the divergence over a part is what its walls push in: all other faces pass what they take. Walls of a body that close
+// both ends of a line of cells cancel, so that a body within a part changes nothing.
+void Solids::find_changes(bool closed) {
+    constexpr double k_rounding = 1e-5, k_reported = 1e-2; // of the sum without signs; a shut cell may be open by half of that
+    const auto volume_of = [&](std::uint32_t cell) { return static_cast<double>(box_.volume(place_of(cell).y)); };
+    changes_.assign(sealed_.size() + 1, {});
+    std::uint32_t first = 0;
+    double inside_parts = 0.0;
+    for (std::size_t part = 0; part < sealed_.size(); ++part) {
+        for (; first < sealed_[part].end; ++first)
+            changes_[part + 1].volume += volume_of(sealed_cells_[first]);
+        inside_parts += changes_[part + 1].volume;
+    }
+    double shut = 0.0, whole = 0.0;
+    for (const InsideCell& cell : inside_)
+        shut += cell.shut ? static_cast<double>(box_.volume(cell.place.y)) : 0.0;
+    for (int j = 0; j < box_.cells.y; ++j)
+        whole += static_cast<double>(box_.volume(j)) * box_.cells.x * box_.cells.z;
+    changes_[0].volume = closed ? whole - shut - inside_parts : 0.0;
+    for (const ClosedFace& face : faces_) {
+        if (face.wall == 0.0f)
+            continue;
+        const double area = face.axis == 1 ? 1.0 : static_cast<double>(box_.volume(face.place[1]));
+        for (int end = 0; end < 2; ++end) {
+            if (face.shut[end])
+                continue;
+            Change& change = changes_[part_of_.empty() ? 0 : part_of_[face.cell[end]]];
+            const double pushed = (end == 0 ? area : -area) * static_cast<double>(face.wall);
+            change.through += pushed;
+            change.gross += std::abs(pushed);
+        }
+    }
+    for (std::size_t part = 0; part <= sealed_.size(); ++part) {
+        const auto [volume, through, gross] = changes_[part];
+        if (!(std::abs(through) > k_rounding * gross) || !(volume > 0.0))
+            continue;
+        (part == 0 ? other_change_ : sealed_[part - 1].change) = static_cast<float>(through / volume);
+        squeezed_ += std::abs(through) > k_reported * gross ? 1 : 0;
+    }
+}
+
 bool Solids::low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const {
     glm::ivec3 next;
     if (!neighbour(place_of(cell), axis, -1, next))
@@ -208,6 +337,15 @@ bool Solids::beside_moving(std::uint32_t cell) const {
         moving = moving || (between != nullptr && between->wall != 0.0f);
     });
     return moving;
+}
+
+bool Solids::walls_move(std::span<const std::uint32_t> room) const {
+    const std::uint32_t part = part_of_[room.front()];
+    if (part == 0)
+        return std::any_of(room.begin(), room.end(), [&](std::uint32_t cell) { return beside_moving(cell); });
+    const auto first = sealed_surface_.begin() + (part > 1 ? sealed_[part - 2].surface_end : 0);
+    return std::any_of(first, sealed_surface_.begin() + sealed_[part - 1].surface_end,
+                       [&](std::uint32_t n) { return beside_moving(surface_[n].cell); });
 }
 
 } // namespace windrow

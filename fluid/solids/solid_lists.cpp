@@ -45,6 +45,7 @@ void Solids::for_each_flagged(std::uint8_t flags, const Visit& visit) const {
 void Solids::gather_faces() {
     unsorted_.clear();
     at_open_ends_.clear();
+    filling_ = 0;
     const auto in_box = [&](glm::ivec3 cell) {
         return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, box_.cells));
     };
@@ -60,10 +61,12 @@ void Solids::gather_faces() {
             face.wall = scale * (face.wall + drawn.wall);
         }
         std::uint32_t drawn = 0;
+        std::size_t in_body = 0;
         for (const Drawing::Inside& inside : drawings_[body].inside) {
             const std::uint32_t which = drawn++;
             if (!in_box(inside.cell))
                 continue;
+            ++in_body;
             const std::uint32_t n = index(inside.cell);
             if ((flags_[n] & k_inside) == 0) {
                 body_of_[n] = number;
@@ -73,6 +76,8 @@ void Solids::gather_faces() {
             if (at_open_end(inside.cell))
                 at_open_ends_.push_back(inside.cell);
         }
+        if (2 * in_body > box_.cell_count() && !std::holds_alternative<Ground>(bodies_[body].shape))
+            ++filling_;
     }
     close_at_open_ends();
 }
@@ -131,20 +136,28 @@ void Solids::sort_faces() {
     });
 }
 
-// An inside cell is shut where no face of it is open: each is closed, or leads to another cell inside.
+// An inside cell is shut where no face of it is open: each is closed, or leads to another cell inside. Cells that are open to each
+// other alone, between a body and what it is pushed against, are shut too: no air could leave them.
 void Solids::find_shut_cells() {
-    for (InsideCell& cell : inside_) {
+    unreached_.clear();
+    for (std::uint32_t n = 0; n < inside_.size(); ++n) {
+        InsideCell& cell = inside_[n];
         float open = 0.0f;
+        bool reached = false;
         for_each_neighbour(cell, [&](std::uint32_t other, int axis, std::uint32_t low) {
-            if (const ClosedFace* const between = face(low, axis); between != nullptr)
-                open += 1.0f - between->closed;
-            else if (!inside(other))
-                open += 1.0f;
+            const ClosedFace* const between = face(low, axis);
+            const float part = between != nullptr ? 1.0f - between->closed : inside(other) ? 0.0f : 1.0f;
+            open += part;
+            reached = reached || (part > 1.0f - k_tight && !inside(other));
         });
-        cell.shut = open <= k_open_at_most;
+        const bool has_opening = open > k_open_at_most;
+        cell.shut = !has_opening || !reached;
         if (cell.shut)
             flags_[cell.cell] |= k_shut;
+        if (has_opening && !reached)
+            unreached_.push_back(n);
     }
+    open_reached_cells();
     const auto shut = [&](std::uint32_t cell) { return (flags_[cell] & k_shut) != 0; };
     std::size_t kept = 0;
     for (ClosedFace face : faces_) {
@@ -156,6 +169,27 @@ void Solids::find_shut_cells() {
             faces_[kept++] = face;
     }
     faces_.resize(kept);
+}
+
+// Those that others, which are not shut, reach.
+void Solids::open_reached_cells() {
+    for (bool found = true; found;) {
+        found = false;
+        for (const std::uint32_t n : unreached_) {
+            InsideCell& cell = inside_[n];
+            bool reached = false;
+            for_each_neighbour(cell, [&](std::uint32_t other, int axis, std::uint32_t low) {
+                const ClosedFace* const between = face(low, axis);
+                reached = reached ||
+                          (inside(other) && (flags_[other] & k_shut) == 0 && between != nullptr && between->closed < k_tight);
+            });
+            if (!cell.shut || !reached)
+                continue;
+            cell.shut = false;
+            flags_[cell.cell] &= static_cast<std::uint8_t>(~k_shut);
+            found = true;
+        }
+    }
 }
 
 void Solids::collect_open_sides() {
@@ -331,18 +365,20 @@ void Solids::collect_thin() {
 void Solids::make_room_for_motion() {
     const auto spare = [](auto&... lists) { (detail::make_room(lists, lists.size() + lists.size() / 4), ...); };
     spare(faces_, unsorted_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_,
-          room_ends_, sheltered_, thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
+          room_ends_, sheltered_, sealed_, sealed_cells_, sealed_surface_, unreached_, nodes_, node_parts_, changes_,
+          thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    std::size_t sum = bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
-                      bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) +
-                      bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
-                      bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
-                      bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
-                      bytes(drawn_sides_) + bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) +
-                      bytes(corner_levels_) + bytes(owners_);
+    std::size_t sum =
+        bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
+        bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) + bytes(unsorted_) +
+        bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) + bytes(sealed_) + bytes(sealed_cells_) +
+        bytes(sealed_surface_) + bytes(unreached_) + bytes(part_of_) + bytes(nodes_) + bytes(node_parts_) + bytes(changes_) +
+        bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
+        bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) + bytes(drawn_sides_) +
+        bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) + bytes(corner_levels_) + bytes(owners_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
             sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near) +

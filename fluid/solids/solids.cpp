@@ -138,6 +138,7 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     find_shut_cells();
     collect_open_sides();
     collect_surface();
+    find_sealed();
     collect_ghosts();
     collect_thin();
     make_room_for_motion();

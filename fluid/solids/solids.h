@@ -93,6 +93,13 @@ class Solids {
         std::uint16_t body = 0;
         std::uint8_t axis = 0;
     };
+    /// Air that no opening joins to the boundary of the box: rooms, with the cells inside bodies that are open to them. Where walls
+    /// change its volume no flow without divergence exists: it takes the change evenly, in all of its cells.
+    struct SealedPart {
+        std::uint32_t end = 0;         ///< of its cells in sealed_cells()
+        std::uint32_t surface_end = 0; ///< of those with a closed face, in sealed_surface()
+        float change = 0.0f;           ///< [m/s] what its walls give to the divergence of a cell, times its size: the mean
+    };
     /// A cell inside a body that a cubic read from outside reaches: its value is the mean of what `count` cells nearer to the air
     /// give.
     struct Ghost {
@@ -139,6 +146,23 @@ class Solids {
     [[nodiscard]] std::span<const std::uint32_t> sheltered() const { return sheltered_; }
     [[nodiscard]] bool is_sheltered(std::uint32_t cell) const { return layers_[cell] > k_ghost_layers; }
 
+    /// Part n ends before sealed_parts()[n].end, with its cells in order of its rooms. All other air of a box without an open side
+    /// is sealed too, and has no list.
+    [[nodiscard]] std::span<const SealedPart> sealed_parts() const { return sealed_; }
+    [[nodiscard]] std::span<const std::uint32_t> sealed_cells() const { return sealed_cells_; }
+    /// Numbers of surface cells.
+    [[nodiscard]] std::span<const std::uint32_t> sealed_surface() const { return sealed_surface_; }
+    [[nodiscard]] float other_change() const { return other_change_; }
+    /// How many of them change their volume, the other air with them.
+    [[nodiscard]] int squeezed() const { return squeezed_; }
+    /// Bodies, grounds aside, of which each fills more than half of the box.
+    [[nodiscard]] int filling() const { return filling_; }
+    /// [m/s] In a cell.
+    [[nodiscard]] float change_in(std::uint32_t cell) const {
+        const std::uint32_t part = part_of_.empty() ? 0 : part_of_[cell];
+        return (flags_[cell] & k_shut) != 0 ? 0.0f : part == 0 ? other_change_ : sealed_[part - 1].change;
+    }
+
     /// Air cells outside of closed rooms from which a read or a trajectory may pass through a sub-grid body.
     [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
     [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
@@ -176,8 +200,10 @@ class Solids {
     /// at a place [cells], 1 or 0. All are where the place is inside an obstacle. `joined`: one a cell of the box.
     WINDROW_INTERNAL void find_joined(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end, std::span<std::uint8_t> joined) const;
 
-    /// Whether a wall beside a cell moves across its face.
+    /// Whether a wall beside a cell moves across its face, and whether one moves beside the air of a room, or beside the cells inside
+    /// bodies that are open to it.
     [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
+    [[nodiscard]] bool walls_move(std::span<const std::uint32_t> room) const;
 
     /// Names of the closed faces: 4 times the low cell, plus the axis; sorted, as the faces are.
     WINDROW_INTERNAL void name_faces(std::vector<std::uint32_t>& names) const;
@@ -188,6 +214,8 @@ class Solids {
                                        std::vector<std::int32_t>& origins);
 
     [[nodiscard]] WINDROW_INTERNAL glm::ivec3 place_of(std::uint32_t cell) const;
+    /// In the direct solve's rows.
+    [[nodiscard]] WINDROW_INTERNAL std::uint32_t potential_of(glm::ivec3 cell) const;
     /// The neighbour toward the low end of an axis; false where there is none.
     [[nodiscard]] WINDROW_INTERNAL bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
     /// Whether the box has taken in a cell, or what is beside it, as it moved by `shift`.
@@ -206,6 +234,7 @@ class Solids {
     /// Closed fraction of a face that a body only touches; it stays open. A block along the cells has three such faces for each that
     /// it closes, and each costs as much.
     static constexpr float k_least_closed = 2.0f * k_touch;
+    static constexpr float k_tight = 0.999f; ///< closed fraction of a face that joins nothing
     /// [cells] Thickness below which a body is tight by whole faces. Of 1.2 cells, fractions still let 7 % of a wind through.
     static constexpr float k_thin_wall = 1.5f;
     static constexpr int k_ghost_layers = 3;
@@ -217,6 +246,11 @@ class Solids {
     struct Run {
         std::uint32_t first, end;
         std::uint32_t root; ///< a run that it is joined to
+    };
+
+    /// [m/s], volumes in cubes of a cell's size.
+    struct Change {
+        double volume, through, gross;
     };
 
     /// The cells of one body; positions are cells of the box, of now.
@@ -318,8 +352,12 @@ class Solids {
     void layer_inside(bool of_rooms);
     void find_rooms();
     void close_rooms();
+    void find_sealed();
+    void join_rooms();
+    void find_changes(bool closed);
     void make_room_for_motion();
     void find_shut_cells();
+    void open_reached_cells();
     void collect_open_sides();
     void collect_surface();
     void collect_ghosts();
@@ -329,7 +367,6 @@ class Solids {
     [[nodiscard]] const Drawing::Side* side_of(const InsideCell& cell, int direction) const;
     [[nodiscard]] bool neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) const;
     [[nodiscard]] std::uint32_t index(glm::ivec3 cell) const;
-    [[nodiscard]] std::uint32_t potential_of(glm::ivec3 cell) const;
     /// visit(cell, place) for each cell with one of the flags, in order.
     template <class Visit>
     void for_each_flagged(std::uint8_t flags, const Visit& visit) const;
@@ -340,6 +377,8 @@ class Solids {
     Box box_;
     int pitch_;
     int drawn_ = 0;
+    int squeezed_ = 0, filling_ = 0;
+    float other_change_ = 0.0f;
     float thinnest_ = k_farthest_thin; ///< [cells] thickness of the thinnest body
     int reach_ = 3;                    ///< [cells] from a cell to the farthest that its read may take
     std::vector<PlacedObstacle> bodies_;
@@ -356,6 +395,12 @@ class Solids {
     detail::HostVector<InsideCell> layered_;                  ///< the ghosts' cells
     detail::HostVector<Run> runs_;                            ///< scratch
     detail::HostVector<std::uint32_t> row_runs_, part_sizes_; ///< scratch: first run of each row; cells of each part of the air
+    detail::HostVector<SealedPart> sealed_;
+    detail::HostVector<std::uint32_t> sealed_cells_, sealed_surface_;
+    detail::HostVector<std::uint32_t> part_of_; ///< one a cell: 0 other air, else 1 + number of a part; empty until a room is
+    detail::HostVector<std::uint32_t> nodes_, node_parts_; ///< scratch of join_rooms
+    detail::HostVector<std::uint32_t> unreached_;          ///< scratch of find_shut_cells
+    detail::HostVector<Change> changes_;                   ///< scratch of find_changes: of the other air, then of the parts
     detail::HostVector<ClosedFace> unsorted_;
     detail::HostVector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
     detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw

@@ -153,6 +153,8 @@ class Air {
     [[nodiscard]] bool lacks_obstacles() const { return place_again_; }
     /// Rooms that the last step's volume sources blow into; 0: each can let its air out.
     [[nodiscard]] int sealed_sources() const { return sealed_sources_; }
+    /// Obstacles of the last step; null: none were placed.
+    [[nodiscard]] const Solids* solids() const { return solids_ ? &solids_->solids() : nullptr; }
     /// Sub-steps of each step from now on; 0, as at the start: the device chooses.
     void force_substeps(int substeps) { forced_substeps_ = substeps; }
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.

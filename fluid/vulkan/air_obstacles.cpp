@@ -225,6 +225,7 @@ Passes::Around Air::around_obstacles(bool has_past) const {
     return {.solves = pressure_solves(config_, has_past),
             .one_sided = solids_->one_sided(),
             .rooms = !solids_->solids().rooms().empty(),
+            .sealed = !solids_->solids().sealed_parts().empty(),
             .loads = finds_forces()};
 }
 
@@ -232,7 +233,11 @@ Passes::Around Air::around_obstacles(bool has_past) const {
 Passes::Around Air::around_sources() const {
     if (!solids_ || !solids_->any())
         return {};
-    return {.solves = k_first_solves, .one_sided = false, .rooms = false, .loads = finds_forces()};
+    return {.solves = k_first_solves,
+            .one_sided = false,
+            .rooms = false,
+            .sealed = !solids_->solids().sealed_parts().empty(),
+            .loads = finds_forces()};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

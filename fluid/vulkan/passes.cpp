@@ -10,6 +10,7 @@
 #include "shader_words/diffuse_columns.h"
 #include "shader_words/diffuse_forward.h"
 #include "shader_words/gradient.h"
+#include "shader_words/level.h"
 #include "shader_words/lift.h"
 #include "shader_words/limit.h"
 #include "shader_words/loads.h"
@@ -148,9 +149,9 @@ const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
         "place",           "sources",         "source_flow",  "adjust",     "plan",     "limit",   "diffuse",
         "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_one_sided",
-        "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "gradient",
-        "rooms",           "uncover",         "terms",        "loads",      "lift",     "show",    "report",
-        "read_cells",      "read_points"};
+        "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "level",
+        "gradient",        "rooms",           "uncover",      "terms",      "loads",    "lift",    "show",
+        "report",          "read_cells",      "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -227,6 +228,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                                    f.around, f.motors, f.tile);
         over(line, {WINDROW_RESIDUAL_GROUPS, 1, 1}, {solve})(Pass::residual, words::surface, at_surface);
         over({most, 1, 1}, {1, 1, 1}, {most})(Pass::surface, words::surface, at_surface);
+        over(line, {1, 1, 1}, {solve})(Pass::level, words::level,
+                                       of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
         over(line, {1, 1, 1},
              {solve})(Pass::rooms, words::rooms,
                       of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
@@ -377,6 +380,8 @@ void Passes::add_pressure(std::vector<Stage>& stages, int part, const Around& ar
             stages.push_back({n == 0 ? Pass::residual : Pass::surface,
                               WindrowSurfacePush{.substep = 0, .part = part, .solve = n, .unused = 0}});
     }
+    if (around.sealed)
+        stages.push_back({Pass::level, WindrowLoadsPush{.substep = 0, .of_sources = part}});
 }
 
 void Passes::add_substep(std::vector<Stage>& stages, DiffusionMethod most, const Around& around) const {

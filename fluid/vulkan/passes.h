@@ -39,6 +39,7 @@ enum class Pass : std::uint8_t {
     modes_back,       ///< ... and back to cells
     residual,         ///< what the first direct solve leaves around obstacles, ...
     surface,          ///< ... and how far to go along a further one
+    level,            ///< ... and, last, the pressure in sealed air relative to none
     gradient,         ///< what a sub-step ends with
     rooms,            ///< closed rooms: what the wind, sources and rounding would blow there
     uncover,          ///< what obstacles leave that are to be placed again
@@ -53,8 +54,8 @@ enum class Pass : std::uint8_t {
 };
 /// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
 inline constexpr std::uint32_t k_max_solves = 64;
-/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and seven more.
-inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 7;
+/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and eight more.
+inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 8;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// The passes that write for the host: all of a read-back.
 [[nodiscard]] constexpr bool reads_back(Pass pass) {
@@ -123,7 +124,7 @@ class Passes {
     /// What a sub-step does for obstacles.
     struct Around {
         int solves = 0; ///< of the pressure; 0: there are none
-        bool one_sided = false, rooms = false, loads = false;
+        bool one_sided = false, rooms = false, sealed = false, loads = false;
         friend bool operator==(const Around&, const Around&) = default;
     };
     /// A sub-step, in order, with as much diffusion as it may come to.

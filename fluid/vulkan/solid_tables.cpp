@@ -46,6 +46,7 @@ void SolidTables::place(std::span<const detail::PlacedObstacle> obstacles, glm::
     add_bodies();
     add_surface();
     add_rooms(shift);
+    add_sealed();
     add_bytes();
     add_origins(shift);
     if (loads_)
@@ -146,6 +147,7 @@ void SolidTables::add_records() {
         words_.push_back(ghost == k_none ? 0 : word(first_terms_[ghost]));
         words_.push_back(ghost == k_none ? 0 : word(first_terms_[ghost + 1] - first_terms_[ghost]));
         words_.push_back(at_surface ? static_cast<std::int32_t>(surface - solids_.surface().begin()) : -1);
+        words_.push_back(word(solids_.change_in(cell)));
     }
     const int terms_at = here();
     for (const Term& term : terms_)
@@ -205,7 +207,7 @@ void SolidTables::add_rooms(glm::ivec3 shift) {
         const bool came_in =
             std::any_of(cells.begin(), cells.end(), [&](std::uint32_t cell) { return solids_.came_in(cell, shift); });
         words_.push_back(word(end));
-        words_.push_back(came_in ? 1 : 0);
+        words_.push_back((came_in ? WINDROW_ROOM_CAME_IN : 0) | (solids_.walls_move(cells) ? WINDROW_ROOM_WALLS_MOVE : 0));
         first = end;
     }
     head_.rooms = at;
@@ -213,6 +215,23 @@ void SolidTables::add_rooms(glm::ivec3 shift) {
     head_.room_cells = here();
     for (const std::uint32_t cell : solids_.rooms())
         words_.push_back(word(cell));
+}
+
+void SolidTables::add_sealed() {
+    head_.parts = here();
+    for (const Solids::SealedPart& part : solids_.sealed_parts()) {
+        words_.push_back(word(part.end));
+        words_.push_back(word(part.surface_end));
+    }
+    const auto add = [&](std::span<const std::uint32_t> list) {
+        const int at = here();
+        words_.insert(words_.end(), list.begin(), list.end());
+        return at;
+    };
+    head_.part_cells = add(solids_.sealed_cells());
+    head_.part_surface = add(solids_.sealed_surface());
+    head_.part_count = static_cast<int>(solids_.sealed_parts().size());
+    head_.other_change = solids_.other_change();
 }
 
 // --- One-sided reads ---------------------------------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ class SolidTables {
     void add_bodies();
     void add_surface();
     void add_rooms(glm::ivec3 shift);
+    void add_sealed();
     void add_bytes();
     void add_origins(glm::ivec3 shift);
     void add_loads();

@@ -28,9 +28,9 @@ namespace {
 // requests between two frames. Few recordings approach it; a pool of timestamps takes 8 bytes each.
 std::uint32_t laps_of(const Config& config, const Passes& passes) {
     constexpr std::uint64_t k_beside = 32, k_a_tick = 16, k_most = 16384;
-    // Around obstacles: six passes a solve and two for rooms; the first step runs twice, and sources are solved once.
+    // Around obstacles: six passes a solve and three for rooms; the first step runs twice, and sources are solved once.
     const auto passes_of = [&](int most) { return 6 * static_cast<std::uint64_t>(std::max(config.pressure_solves, most)); };
-    const std::uint64_t around = passes_of(k_solves) + 2, first = 3 * passes_of(k_first_solves);
+    const std::uint64_t around = passes_of(k_solves) + 3, first = 3 * passes_of(k_first_solves) + 1;
     const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size() + around;
     const std::uint64_t tick =
         k_a_tick + first + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;

@@ -126,14 +126,18 @@ struct WindrowReport {
 struct WindrowSolids {
     int rows;    // first record of each row of x, and the end of the last
     int columns; // x of each record
-    int records; // WINDROW_RECORD words each: flags and body, six faces, first air term and their number, surface cell
+    int records; // WINDROW_RECORD words each: flags and body, six faces, first air term and their number, surface cell, change
     int faces;   // WINDROW_FACE words each
     int terms;   // WINDROW_TERM words each: air that a cell inside takes its value from
     int bodies;  // WINDROW_BODY words each: velocity, spin, position
     int surface; // record and cell of each surface cell
     int bytes;   // four cells a word
-    int rooms;   // end of each room's cells, and whether it has come into the box with this placement
+    int rooms;   // end of each room's cells, and bits of WINDROW_ROOM
     int room_cells;
+    int parts; // of sealed air: of each, the end of its cells and of its surface cells
+    int part_cells, part_surface;
+    int part_count;
+    float other_change; // [m/s] of the divergence of cells without a record, times h: as Solids::other_change
     int face_count, surface_count, room_count;
     int before;         // for each face, which one it was at the last placement; -1: new
     float thinnest;     // [cells] thickness of the thinnest body
@@ -150,7 +154,7 @@ struct WindrowSolids {
     int loads;         // WINDROW_LOAD words each in the work words
     int loads_before;  // the same of the last placement
 };
-#define WINDROW_RECORD 10
+#define WINDROW_RECORD 11
 #define WINDROW_FACE 8
 #define WINDROW_TERM 6
 #define WINDROW_BODY 9
@@ -163,6 +167,9 @@ struct WindrowSolids {
 #define WINDROW_SHELTERED 4
 #define WINDROW_ROOM 8
 #define WINDROW_BODY_SHIFT 5
+// Of a room.
+#define WINDROW_ROOM_CAME_IN 1 // into the box, with this placement
+#define WINDROW_ROOM_WALLS_MOVE 2
 // Of a face, behind its axis.
 #define WINDROW_LOW_SHELTERED 4
 #define WINDROW_FACE_NO_SLIP 16

@@ -27,7 +27,7 @@ float closed_divergence(int record, ivec3 cell, float empty) {
                 flux *= row_scale(cell.y);
             sum += end == 0 ? -flux : flux;
         }
-    return sum;
+    return sum - change_at(record);
 }
 
 // Of the pressure's history, for the first solve.

@@ -49,6 +49,8 @@ float load(ivec3 cell) {
         return rhs;
     }
     float rhs = 0.5f * differences(cell);
+    if (has_obstacles() && record < 0)
+        rhs -= change_at(record);
     if (record >= 0) {
         rhs = closed_divergence(record, cell, rhs);
         const float guess = guess_scale();

@@ -19,22 +19,7 @@ layout(std430, set = 0, binding = 6) readonly buffer Force { vec4 force[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 8) buffer Expansion { float expansion[]; };
 
-layout(constant_id = 3) const int k_group = 256; // invocations
-shared vec2 parts[k_group];
-
-vec2 total(vec2 part) {
-    const int local = int(gl_LocalInvocationIndex);
-    parts[local] = part;
-    barrier();
-    for (int half_size = k_group / 2; half_size > 0; half_size /= 2) {
-        if (local < half_size)
-            parts[local] += parts[local + half_size];
-        barrier();
-    }
-    const vec2 sum = parts[0];
-    barrier();
-    return sum;
-}
+#include "fluid/total.glsl"
 
 ivec3 room_cell(int n) { return solid_cell(solid_words[solids.room_cells + n]); }
 
@@ -70,19 +55,13 @@ void seal(int first, int end) {
         expansion[cell_index(room_cell(n))] -= mean;
 }
 
-bool is_worked_on(ivec3 cell, int at) {
+bool is_worked_on(int at) {
     if (is_on(WINDROW_DRIVES) && drives[at].w > 0.0f)
         return true;
     if (is_on(WINDROW_PUSHES) && force[at].xyz != vec3(0.0f))
         return true;
     if (is_on(WINDROW_EXPANDS) && expansion[at] != 0.0f)
         return true;
-    const int record = is_on(WINDROW_BODIES_MOVE) ? solid_record(cell) : -1;
-    for (int face = 0; face < 6 && record >= 0; ++face) {
-        const int n = solid_words[record + 1 + face];
-        if (n >= 0 && solid_face(n).wall != 0.0f)
-            return true;
-    }
     return false;
 }
 
@@ -100,7 +79,7 @@ void bound(int first, int end) {
         const int at = cell_index(cell);
         const vec3 had = velocity[now(at)].xyz, has = stepped(at);
         energy += row_volume(cell.y) * vec2(dot(had, had), dot(has, has));
-        work.x += is_worked_on(cell, at) ? 1.0f : 0.0f;
+        work.x += is_worked_on(at) ? 1.0f : 0.0f;
     }
     work = total(work);
     energy = total(energy);
@@ -118,11 +97,12 @@ void main() {
     int first = 0;
     for (int room = 0; room < solids.room_count; ++room) {
         const int end = solid_words[solids.rooms + 2 * room];
+        const int bits = solid_words[solids.rooms + 2 * room + 1];
         if (push.work == WINDROW_STILL_NEW_ROOMS)
-            still(first, end, solid_words[solids.rooms + 2 * room + 1] != 0);
+            still(first, end, (bits & WINDROW_ROOM_CAME_IN) != 0);
         else if (push.work == WINDROW_SEAL_SOURCES)
             seal(first, end);
-        else
+        else if ((bits & WINDROW_ROOM_WALLS_MOVE) == 0)
             bound(first, end);
         first = end;
     }

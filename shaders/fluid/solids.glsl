@@ -41,6 +41,9 @@ int record_body(int record) { return solid_words[record] >> WINDROW_BODY_SHIFT; 
 // Of the face at the low (0) or high (1) end of an axis; -1: open.
 int record_face(int record, int axis, int end) { return solid_words[record + 1 + 2 * axis + end]; }
 
+// [m/s] What sealed air takes of its change of volume, of the divergence times h, in each cell.
+float change_at(int record) { return record < 0 ? solids.other_change : solid_float(record + 10); }
+
 struct SolidFace {
     int cell[2];    // low and high, numbers
     int surface[2]; // the same among the surface cells

@@ -27,22 +27,7 @@ layout(std430, set = 0, binding = 7) readonly buffer Direction { float direction
 #define WINDROW_FIELD(at) arrived[at]
 #include "fluid/divergence.glsl"
 
-layout(constant_id = 3) const int k_group = 256; // invocations
-shared vec2 parts[k_group];
-
-vec2 total(vec2 part) {
-    const int local = int(gl_LocalInvocationIndex);
-    parts[local] = part;
-    barrier();
-    for (int half_size = k_group / 2; half_size > 0; half_size /= 2) {
-        if (local < half_size)
-            parts[local] += parts[local + half_size];
-        barrier();
-    }
-    const vec2 sum = parts[0];
-    barrier();
-    return sum;
-}
+#include "fluid/total.glsl"
 
 const int k_residual = 0, k_applied = 1, k_along = 2;
 int word(int surface, int which) { return WINDROW_SURFACE_WORDS * surface + which; }
@@ -61,6 +46,29 @@ float right_hand_side(int record, ivec3 cell) {
 }
 
 float guess() { return push.part == 0 ? guess_scale() : 0.0f; }
+
+// Takes from the residual what no potential can take: the constant in each sealed part, which is rounding. Returns its square.
+float balance(int local) {
+    float taken = 0.0f;
+    int first = 0;
+    for (int part = 0; part < solids.part_count; ++part) {
+        const int end = solid_words[solids.parts + 2 * part + 1];
+        vec2 sum = vec2(0.0f);
+        for (int n = first + local; n < end; n += k_group) {
+            const int s = solid_words[solids.part_surface + n];
+            sum += row_volume(surface_cell(s).y) * vec2(around_words[word(s, k_residual)], 1.0f);
+        }
+        sum = total(sum);
+        const float mean = sum.x / sum.y;
+        for (int n = first + local; n < end; n += k_group)
+            around_words[word(solid_words[solids.part_surface + n], k_residual)] -= mean;
+        taken += mean * sum.x;
+        first = end;
+    }
+    memoryBarrierBuffer();
+    barrier();
+    return taken;
+}
 
 shared bool is_last;
 
@@ -109,9 +117,10 @@ void begin(int local) {
     if (!is_last)
         return;
     squares = total(local < groups ? vec2(around.wanted_parts[local], around.left_parts[local]) : vec2(0.0f));
+    const float taken = solids.part_count > 0 ? balance(local) : 0.0f;
     if (local == 0) {
         around.wanted = sqrt(squares.x);
-        around.left = sqrt(squares.y);
+        around.left = sqrt(max(squares.y - taken, 0.0f));
         around.solved = 1;
         around.stopped = 0;
         around.corrections = 0;
@@ -167,6 +176,11 @@ void improve(int local) {
         left.x += row_volume(surface_cell(s).y) * residual * residual;
     }
     left = total(left);
+    if (solids.part_count > 0) {
+        memoryBarrierBuffer();
+        barrier();
+        left.x = max(left.x - balance(local), 0.0f);
+    }
     if (local == 0) { // all have read them, since total() ends with a barrier
         around.corrections = push.solve;
         around.beta = beta;

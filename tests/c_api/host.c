@@ -83,6 +83,7 @@ static void check_hooks(heap* counts) {
     windrow_config config = small_config();
     windrow_gusts gusts;
     windrow_omni_motor buried;
+    windrow_obstacle vast;
     log_lines lines;
     int64_t calls;
     int n;
@@ -115,6 +116,12 @@ static void check_hooks(heap* counts) {
     for (n = 0; n < 12; ++n) /* a line in all, also of frames without a tick */
         CHECK_OK(windrow_wind_advance(wind, 1.0 / 144.0, NULL, NULL));
     CHECK(lines.warnings == 1 && strstr(lines.last, "under the ground") != NULL);
+    CHECK_OK(windrow_obstacle_init(&vast, sizeof vast));
+    vast.shape = windrow_shape_sphere(1000.0f);
+    CHECK_OK(windrow_wind_add_obstacle(wind, &vast, NULL));
+    for (n = 0; n < 3; ++n)
+        CHECK_OK(windrow_wind_step(wind, 0.02, NULL));
+    CHECK(lines.warnings == 2 && strstr(lines.last, "more than half of the box") != NULL);
     windrow_set_logger(NULL, NULL);
     CHECK(windrow_wind_follow(NULL, dvec3(0.0, 0.0, 0.0)) == WINDROW_REJECTED && lines.errors == 1);
 

@@ -326,7 +326,7 @@ TEST(Ground, RejectsWhatIsNoGround) {
         EXPECT_TRUE(names({.trample_time = bad}, "trample_time"));
         EXPECT_TRUE(names({.clearance = bad}, "clearance"));
         EXPECT_TRUE(names({.blend_width = bad}, "blend_width"));
-        EXPECT_TRUE(names({.max_stride = bad}, "max_stride"));
+        EXPECT_TRUE(bad == 0.0f || names({.jump_speed = bad}, "jump_speed")); // 0: never
     }
     EXPECT_TRUE(names({.spring = {-1.0, 0.1}}, "frequency_hz"));
     EXPECT_TRUE(names({.push = -0.1f}, "push"));

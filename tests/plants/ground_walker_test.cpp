@@ -158,6 +158,18 @@ TEST(GroundWalkers, AFallIsNoTeleport) {
     EXPECT_GT(ground.at({0.0, 0.0, 0.0}).trample, 0.5f);
 }
 
+// A respawn over 3 m in a frame is 180 m/s: a jump, as for obstacles and wakes of the wind. With 0 nothing is.
+TEST(GroundWalkers, ARespawnSweepsNothing) {
+    for (const double way : {1.0, 3.0, 1000.0})
+        for (const float fastest : {100.0f, 0.0f}) {
+            GroundMemory ground = walked_ground({.jump_speed = fastest});
+            const GroundWalker moved{.position = {2.0, 0.0, 0.0}, .previous = {2.0 - way, 0.0, 0.0}};
+            walk_on(ground, 1.0 / 60.0, std::span(&moved, 1));
+            EXPECT_GT(ground.at(moved.position).trample, 0.5f);
+            EXPECT_EQ(ground.at({2.0 - 0.6 * std::min(way, 4.0), 0.0, 0.0}).trample > 0.3f, way < 2.0 || fastest == 0.0f) << way;
+        }
+}
+
 TEST(GroundWalkers, AHeightThatDoesNotCountMayBeAnything) {
     GroundMemory ground = walked_ground({});
     const double nan = std::numeric_limits<double>::quiet_NaN();

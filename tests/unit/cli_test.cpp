@@ -183,6 +183,31 @@ TEST_F(Command, LimitedCellsAreSaid) {
         "cells, counted in each step; raise tick_hz or air.max_substeps.\n");
 }
 
+TEST_F(Command, AnObstacleThatFillsTheBoxIsNamedWithItsSize) {
+    const std::string large = write("large.json", R"({"duration": 0.1, "tick_hz": 10, "air": {"cells": [8, 8, 8], "cell_size": 1},
+        "obstacles": [{"name": "post", "position": [0, 0, 0], "shape": {"block": {"half_size": [0.2, 2, 0.2]}}},
+            {"name": "house", "position": [0, 0, 0], "shape": {"block": {"half_size": [400, 300, 350]}}}]})");
+    const CommandOutcome outcome = run({"run", large.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well);
+    EXPECT_EQ(outcome.err,
+              "windrow: warning: an obstacle filled more than half of the box in 1 step; $.obstacles[1] (house) is 800 x "
+              "600 x 700 m large. Lengths are metres: was it made in centimetres?\n");
+}
+
+TEST_F(Command, AirThatIsPressedTogetherIsSaid) {
+    const std::string pressed = write("pressed.json", R"({"duration": 0.3, "tick_hz": 10, "frames_per_second": 10,
+        "air": {"cells": [12, 6, 6], "cell_size": 1, "boundaries": {
+            "x_low": {"kind": "free_slip"}, "x_high": {"kind": "free_slip"}, "y_low": {"kind": "free_slip"},
+            "y_high": {"kind": "free_slip"}, "z_low": {"kind": "free_slip"}, "z_high": {"kind": "free_slip"}}},
+        "paths": {"push": {"points": [[0, -3, 3, 0], [1, 0, 3, 0]]}},
+        "obstacles": [{"name": "piston", "path": "push", "shape": {"block": {"half_size": [1, 3, 3]}}}]})");
+    const CommandOutcome outcome = run({"run", pressed.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well);
+    EXPECT_EQ(outcome.err,
+              "windrow: warning: walls changed the volume of air that has no opening in 3 steps: it was pressed together, "
+              "which air at these speeds is not; leave a gap.\n");
+}
+
 TEST_F(Command, SleepIsReported) {
     const std::string calm = write("calm.json", R"({"duration": 1, "air": {"cells": [8, 8, 8]},
         "motors": [{"kind": "jet", "from": 0.5, "envelope": {"hold": 0.1}}]})");

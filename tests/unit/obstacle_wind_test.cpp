@@ -443,4 +443,17 @@ TEST(ThinBodies, AreMeasuredInTheirOwnRows) {
     EXPECT_GT(thin_cells(70.0f, {6.0f, 6.0f, 6.0f}), 0u) << "two and a half of the rows aloft";
 }
 
+// One that stops all wind is counted; a ground is not, nor is one whose larger part is outside.
+TEST(ObstacleWind, OneThatFillsTheBoxIsCounted) {
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {5.0f, 0.0f, 0.0f}});
+    const ObstacleId house = *wind.obstacles().add({.shape = Block{{400.0f, 300.0f, 350.0f}}});
+    EXPECT_EQ(wind.step(0.02).filling_obstacles, 1);
+    ASSERT_TRUE(wind.obstacles().set(house, {.shape = Block{{4.0f, 3.0f, 3.5f}}}));
+    EXPECT_EQ(wind.step(0.02).filling_obstacles, 1);
+    ASSERT_TRUE(wind.obstacles().set(house, {.position = {4.1, 0.0, 0.0}, .shape = Block{{4.0f, 3.0f, 3.5f}}}));
+    EXPECT_EQ(wind.step(0.02).filling_obstacles, 0);
+    ASSERT_TRUE(wind.obstacles().remove(house));
+    EXPECT_EQ(wind.step(0.02).filling_obstacles, 0);
+}
+
 } // namespace

@@ -377,6 +377,10 @@ namespace Windrow
         public uint Reserved;
         public int FastTurns;
         public uint Reserved2;
+        public int FillingObstacles;
+        public uint Reserved3;
+        public int SealedRooms;
+        public uint Reserved4;
         public static Diagnostics Default() { return Native.Filled<Diagnostics>(windrow_diagnostics_init); }
         [DllImport(Native.Library)] private static extern int windrow_diagnostics_init(out Diagnostics it, uint size);
     }

@@ -132,7 +132,7 @@ namespace Windrow
         public uint StructSize;
         public int Texels;
         public SpringClass Spring;
-        public float TexelSize, Push, TrailFraction, TrailTime, TrampleTime, Clearance, BlendWidth, MaxStride;
+        public float TexelSize, Push, TrailFraction, TrailTime, TrampleTime, Clearance, BlendWidth, JumpSpeed;
         public int MaxWalkers;
         public uint Reserved;
         public static GroundConfig Default() { return Native.Filled<GroundConfig>(windrow_ground_config_init); }

@@ -215,7 +215,8 @@ class Diagnostics(c.Structure):
                 ("pressure_residual", c.c_float), ("pressure_solves", c.c_int32), ("sealed_sources", c.c_int32),
                 ("divergence_rms", c.c_double), ("energy", c.c_double), ("asleep", c.c_int32),
                 ("motors_lost", c.c_int32), ("times_ms", StageTimes), ("jumps", c.c_int32), ("reserved", c.c_uint32),
-                ("fast_turns", c.c_int32), ("reserved_2", c.c_uint32)]
+                ("fast_turns", c.c_int32), ("reserved_2", c.c_uint32), ("filling_obstacles", c.c_int32),
+                ("reserved_3", c.c_uint32), ("sealed_rooms", c.c_int32), ("reserved_4", c.c_uint32)]
 
 
 class Advance(c.Structure):

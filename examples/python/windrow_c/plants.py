@@ -88,7 +88,7 @@ class GroundConfig(c.Structure):
     _fields_ = [("struct_size", c.c_uint32), ("texels", c.c_int32), ("spring", SpringClass), ("texel_size", c.c_float),
                 ("push", c.c_float), ("trail_fraction", c.c_float), ("trail_time", c.c_float),
                 ("trample_time", c.c_float), ("clearance", c.c_float), ("blend_width", c.c_float),
-                ("max_stride", c.c_float), ("max_walkers", c.c_int32), ("reserved", c.c_uint32)]
+                ("jump_speed", c.c_float), ("max_walkers", c.c_int32), ("reserved", c.c_uint32)]
 
 
 class GroundWalker(c.Structure):

@@ -294,7 +294,7 @@ pub struct Diagnostics {
     pub limited_cells: i64, pub repaired_cells: i64, pub diffusion: DiffusionMethod, pub pressure_residual: f32,
     pub pressure_solves: i32, pub sealed_sources: i32, pub divergence_rms: f64, pub energy: f64, pub asleep: i32,
     pub motors_lost: i32, pub times_ms: StageTimes, pub jumps: i32, pub reserved: u32, pub fast_turns: i32,
-    pub reserved_2: u32,
+    pub reserved_2: u32, pub filling_obstacles: i32, pub reserved_3: u32, pub sealed_rooms: i32, pub reserved_4: u32,
 }
 
 #[repr(C)]
@@ -336,7 +336,7 @@ const _: () = {
     assert!(size_of::<SwingBlock>() == 80); assert!(size_of::<FlutterBlock>() == 48);
     assert!(size_of::<PoseBlock>() == 32); assert!(size_of::<GroundPlaceBlock>() == 48);
     assert!(size_of::<GroundBlock>() == 96); assert!(size_of::<StageTimes>() == 64);
-    assert!(size_of::<Diagnostics>() == 176); assert!(size_of::<Advance>() == 24); assert!(size_of::<Box>() == 152);
+    assert!(size_of::<Diagnostics>() == 192); assert!(size_of::<Advance>() == 24); assert!(size_of::<Box>() == 152);
     assert!(size_of::<Query>() == 80);
 };
 

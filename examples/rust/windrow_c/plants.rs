@@ -118,7 +118,7 @@ pub struct CascadeConfig {
 pub struct GroundConfig {
     pub struct_size: u32, pub texels: i32, pub spring: SpringClass, pub texel_size: f32, pub push: f32,
     pub trail_fraction: f32, pub trail_time: f32, pub trample_time: f32, pub clearance: f32, pub blend_width: f32,
-    pub max_stride: f32, pub max_walkers: i32, pub reserved: u32,
+    pub jump_speed: f32, pub max_walkers: i32, pub reserved: u32,
 }
 
 #[repr(C)]

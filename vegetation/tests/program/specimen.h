@@ -135,7 +135,7 @@ inline constexpr const char* k_sample_values = R"({
         "lamps": [{"position": [1, 2, 3], "colour": [20, 5, 2], "reach": 12}],
         "ground_memory": {"texels": 64, "texel_size": 0.5, "spring": {"frequency_hz": 2.5, "damping": 0.12}, "push": 1.2,
                           "trail_fraction": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "blend_width": 1.5,
-                          "max_stride": 10, "max_walkers": 16},
+                          "jump_speed": 90, "max_walkers": 16},
         "sampling": {"strength": 0.9, "limit": 50, "detail": 0.5, "detail_length": 0.6}
     }
 })";
