@@ -159,7 +159,7 @@ typedef struct windrow_ground_config {
        plants do not follow the wind. */
     float trample_time;
     /* [m] 0.001 to 100, default 0.4. Height of the feet above which they do not touch plants; 0.4 is knee-high grass. At half
-       of it the weight is half. */
+       of it the weight is half. Feet that are deeper in the ground than this press less, and from twice of it nothing. */
     float clearance;
     /* [m] 0.001 to 12800, default 2. Width over which the memory fades to the lean of the wind at the window's edge; at most a
        quarter of the window. */

@@ -44,7 +44,7 @@ struct GroundConfig {
                 "the wind."),
             Setting("clearance", &GroundConfig::clearance, {0.001, 100.0, "m"},
                     "Height of the feet above which they do not touch plants; 0.4 is knee-high grass. At half of it the weight "
-                    "is half."),
+                    "is half. Feet that are deeper in the ground than this press less, and from twice of it nothing."),
             Setting("blend_width", &GroundConfig::blend_width, {0.001, 12800.0, "m"},
                     "Width over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the "
                     "window."),

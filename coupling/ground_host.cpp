@@ -58,7 +58,7 @@ std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& wal
     };
     const glm::dvec2 to = place(walker.position);
     const glm::dvec3 way(walker.position.x - walker.previous.x, 0.0, walker.position.z - walker.previous.z);
-    const bool jumped = detail::is_jump(way, duration, config_.jump_speed);
+    const bool jumped = duration > 0.0 && detail::is_jump(way, duration, config_.jump_speed);
     const glm::dvec2 from = jumped ? to : place(walker.previous);
     // Each place is within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
     const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);

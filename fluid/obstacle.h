@@ -60,7 +60,7 @@ struct Plate {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("half_size", &Plate::half_size, k_size_range, "From the centre to the edges, along its own x and y axes.")};
+            Setting("half_size", &Plate::half_size, k_size_range.of_pair("x, y"), "From the centre to the edges, along its own x and y axes.")};
     }
 };
 
@@ -92,7 +92,8 @@ struct VoxelShape {
         return std::tuple{
             Setting(
                 "file", &VoxelShape::grid,
-                "MagicaVoxel file (.vox) with one model, beside the scene. Its z axis points up; its middle is at the position."),
+                "MagicaVoxel file (.vox) with one model, beside the scene, as it is turned in its editor. Its z axis points up; "
+                "its middle is at the position."),
             Setting("cell_size", &VoxelShape::cell_size, {1e-6, 1e6, "m"}, "Edge of a voxel."),
         };
     }

@@ -38,6 +38,7 @@ struct Range {
     const char* zero = "";  ///< what 0 means where that is special: "never"
     bool above_min = false; ///< `min` itself is rejected
     Measure measure = Measure::component;
+    const char* pair = "x, z"; ///< what two numbers are
 
     /// False for NaN. A float is compared with the bounds as floats, so that 0.9f holds a bound of 0.9.
     template <class Number>
@@ -52,6 +53,12 @@ struct Range {
     }
     [[nodiscard]] static constexpr Range length(double min, double max, const char* unit) {
         return {min, max, unit, "", false, Measure::length};
+    }
+    /// The same of two numbers with these names.
+    [[nodiscard]] constexpr Range of_pair(const char* names) const {
+        Range named = *this;
+        named.pair = names;
+        return named;
     }
     /// Components of any finite size.
     [[nodiscard]] static constexpr Range direction() {

@@ -12,6 +12,9 @@
 #include <thread>
 #include <vector>
 
+#if defined(__unix__) || defined(__APPLE__)
+#include <pthread.h>
+#endif
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -26,6 +29,16 @@ constexpr int k_patience = 48; ///< pauses, about a microsecond: the cost of fet
 void relax() {
 #if defined(__x86_64__)
     _mm_pause();
+#endif
+}
+
+// How often the process has become a child of itself. A pool's threads stay with the parent: loops of the child run in its own.
+std::atomic<int> forks{0};
+
+void count_forks() {
+#if defined(__unix__) || defined(__APPLE__)
+    static const int counted = pthread_atfork(nullptr, nullptr, [] { forks.fetch_add(1, std::memory_order_relaxed); });
+    (void)counted;
 #endif
 }
 
@@ -87,11 +100,14 @@ struct WINDROW_HIDDEN ThreadPool::State {
     std::atomic<int> asleep{0}; ///< workers that a new loop must wake
     std::atomic<bool> caller_asleep{false};
 
+    const int made_in = forks.load(std::memory_order_relaxed);
     std::uint32_t loops = 0;             ///< so far; under `turn`
     std::unique_ptr<ShareWord[]> shares; ///< one a thread, the caller's first
     std::vector<std::thread> workers;
 
     [[nodiscard]] int threads() const { return static_cast<int>(workers.size()) + 1; }
+    /// The threads are another process's.
+    [[nodiscard]] bool forked() const { return forks.load(std::memory_order_relaxed) != made_in; }
 
 #ifndef NDEBUG
     static inline thread_local const State* running = nullptr; ///< the pool whose task this thread runs
@@ -172,6 +188,11 @@ struct WINDROW_HIDDEN ThreadPool::State {
 
     void run(int wanted, Task wanted_task, void* wanted_argument) {
         assert(running != this && "a task of a pool's loop asked the same pool for a loop: it would wait for itself");
+        if (forked()) {
+            for (int index = 0; index < wanted; ++index)
+                run_task(wanted_task, wanted_argument, index);
+            return;
+        }
         const std::lock_guard my_turn(turn);
         const int size = (wanted - 1) / k_max_blocks + 1, blocks = (wanted - 1) / size + 1;
         task.store(wanted_task, std::memory_order_release);
@@ -204,6 +225,7 @@ struct WINDROW_HIDDEN ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads) {
     const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    count_forks();
     // On lack of memory or a limit on processes, the pool keeps the threads that it has.
     try {
         state_ = std::make_unique<State>();
@@ -219,6 +241,10 @@ ThreadPool::ThreadPool(int threads) {
 ThreadPool::~ThreadPool() {
     if (!state_)
         return;
+    if (state_->forked()) { // none to join, and a lock may be held for good
+        (void)state_.release();
+        return;
+    }
     {
         const std::lock_guard lock(state_->mutex);
         state_->stop.store(true, std::memory_order_release);

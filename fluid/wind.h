@@ -45,7 +45,8 @@ class WINDROW_API Wind : public WindControl, public WindReader {
   public:
     [[nodiscard]] static Result<Wind> create(const Config& config);
 
-    /// Advances the air by dt [s]. Steps may have any length and may differ: the order stays 2, and no sequence creates energy.
+    /// Advances the air by dt [s]. Steps may have any length and may differ: no sequence creates energy, and the order stays 2 where
+    /// a step is at most twice as long as its neighbours (1 beyond).
     /// 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and returns Diagnostics::stepped = false.
     /// Does not allocate; only the first step with a volume source among the motors, and a step above 1 s that asks more of the
     /// viscosity than shorter ones, do so, once. Where that memory is missing the wind stays as it was and the step returns

@@ -281,7 +281,8 @@ struct StateFields {
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
-            const double farthest = k_farthest_cells * static_cast<double>(config.cell_size);
+            // The middle of a box that stands at the farthest floor is higher.
+            const double farthest = k_farthest_cells * static_cast<double>(config.cell_size) + window.size().y;
             archive.require(in_range(window.origin_cells) && in_range(stepped.origin_cells) && in_range(previous.origin_cells) &&
                                 in_range(point, farthest) && in_range(stepped.point, farthest) &&
                                 in_range(previous.point, farthest),

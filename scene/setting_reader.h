@@ -109,9 +109,9 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
         if (const auto turn = object.optional_vector(key, k_turn))
             value = orientation_of(*turn);
     } else if constexpr (std::same_as<Value, glm::dvec2> || std::same_as<Value, glm::vec2>) {
-        value = Value(object.pair(key, glm::dvec2(value), range, "x, z"));
+        value = Value(object.pair(key, glm::dvec2(value), range, range.pair));
     } else if constexpr (std::same_as<Value, glm::ivec2>) {
-        value = object.whole_pair(key, value, range, "x, z");
+        value = object.whole_pair(key, value, range, range.pair);
     } else if constexpr (std::same_as<Value, std::optional<glm::bvec3>>) {
         value = object.optional_flags(key);
     } else if constexpr (std::is_enum_v<Value>) {

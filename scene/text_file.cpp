@@ -1,6 +1,7 @@
 #include "scene/text_file.h"
 
 #include "fluid/core/message.h"
+#include "fluid/files/text_lines.h"
 
 #include <algorithm>
 
@@ -42,9 +43,7 @@ Result<std::string> read_text_file(const std::filesystem::path& file, const deta
     if (!read)
         return read;
     const std::string name = file.string();
-    std::string text = *std::move(read);
-    if (text.starts_with("\xef\xbb\xbf"))
-        text.erase(0, 3);
+    std::string text(detail::without_mark(*read));
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         return Error{message(name, ": is empty: name the right file, or write something in it.")};
     if (const std::size_t bad = first_bad_byte(text); bad != std::string_view::npos)

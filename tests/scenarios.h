@@ -301,6 +301,43 @@ inline std::vector<Scenario> scenarios(bool whole) {
     return rows;
 }
 
+/// A thick and a thin body that rests, moves or turns, with gusts and without, in the open, in rows, over hills and over hills in rows.
+/// One in `every` of them.
+inline std::vector<Scenario> matrix_of_motion(int every) {
+    std::vector<Scenario> rows;
+    int number = 0;
+    for (const char* const kind : {"block", "thin_wall"})
+        for (const Way way : {Way::rests, Way::moves, Way::turns})
+            for (const bool gusts : {false, true})
+                for (const bool own_rows : {false, true})
+                    for (const bool hills : {false, true}) {
+                        if (number++ % every != 0)
+                            continue;
+                        const auto shapes = scenario_parts::scenario_shapes();
+                        const auto shape = *std::find_if(shapes.begin(), shapes.end(),
+                                                         [&](const auto& each) { return each.name == std::string(kind); });
+                        Scenario row = scenario_parts::obstacle_scenario(shape, way, {-3.0, own_rows ? 3.0 : 0.2, 1.0});
+                        row.name =
+                            "matrix_" + row.name + (gusts ? "_gusts" : "") + (own_rows ? "_rows" : "") + (hills ? "_hills" : "");
+                        row.steps = 12;
+                        row.config = [=](Config& c) {
+                            c.gusts.intensity = gusts ? 0.2f : 0.0f;
+                            if (!own_rows)
+                                return;
+                            c.boundaries = Boundaries::open_over_floor();
+                            c.rows = Rows{.first = 0.35f, .uniform = 4, .ratio = 1.2f};
+                        };
+                        if (hills)
+                            row.begin = [=, body = row.begin](WindControl& wind) {
+                                body(wind);
+                                scenario_parts::must(
+                                    wind.obstacles().add(scenario_parts::hills({-40.0, own_rows ? -0.5 : -4.0, -40.0})));
+                            };
+                        rows.push_back(std::move(row));
+                    }
+    return rows;
+}
+
 /// Some features at once: obstacles of two kinds that rest, move or turn, and others by chance.
 inline std::vector<Scenario> random_scenarios(int count) {
     std::vector<Scenario> rows;

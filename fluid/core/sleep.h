@@ -32,6 +32,7 @@ struct Sleep {
         report.asleep = true;
         at_rest = {.stepped = true,
                    .max_speed = report.max_speed,
+                   .filling_obstacles = report.filling_obstacles,
                    .divergence_rms = report.divergence_rms,
                    .energy = report.energy,
                    .asleep = true,

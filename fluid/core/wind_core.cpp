@@ -27,9 +27,12 @@ namespace detail {
 bool can_hold_point(const Config& config, glm::dvec3 point) {
     if (!finite(point))
         return false;
-    const double farthest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    // An invalid cell size is reported by its own check.
-    return !(config.cell_size > 0.0f) || farthest <= k_farthest_cells * static_cast<double>(config.cell_size);
+    // An invalid cell size is reported by its own check. Along y a box with rows moves by its lowest ones.
+    const float lowest = config.rows ? std::min(config.rows->first, config.cell_size) : config.cell_size;
+    const double across = std::max(std::abs(point.x), std::abs(point.z));
+    return !(config.cell_size > 0.0f) || !(lowest > 0.0f) ||
+           (across <= k_farthest_cells * static_cast<double>(config.cell_size) &&
+            std::abs(point.y) <= k_farthest_cells * static_cast<double>(lowest));
 }
 
 void check_ambient(Reasons& reasons, glm::vec3 ambient) {

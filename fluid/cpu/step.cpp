@@ -96,6 +96,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         next_phase_ = wind.phase();
         if (bodies_move_ && part > 0)
             (void)place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report);
+        if (const Solids* const solids = work.state().solids.get())
+            report.sealed_rooms = std::max(report.sealed_rooms, solids->squeezed());
         if (!config_.stages.advection)
             advance_in_place(part_dt, report);
         else if (config_.scheme == Scheme::second_order)
@@ -105,10 +107,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         inside_is_air_ = false;
     }
     *step.ambient = around_;
-    if (const Solids* const solids = work.state().solids.get()) {
-        report.sealed_rooms = solids->squeezed();
+    if (const Solids* const solids = work.state().solids.get())
         report.filling_obstacles = solids->filling();
-    }
     measure(report);
     // What forces and pressure have made of the air since.
     if (const float most = fastest_carried(dt);

@@ -10,9 +10,10 @@
 namespace windrow::detail {
 namespace {
 
-Error unreadable(const std::string& name, int reason) {
+Error unreadable(const std::string& name, int reason, const InputRule& rule) {
     if (reason == ENOENT || reason == ENOTDIR)
-        return Error{message(name, ": no such file: check the name and the current folder.")};
+        return Error{message(name, rule.folder ? ": no such file: check the name, which is sought beside the file that gives it."
+                                               : ": no such file: check the name and the current folder.")};
     if (reason == EACCES)
         return Error{message(name, ": permission denied: allow reading with chmod +r, or name another file.")};
     return Error{message(name, ": cannot be read (", reason_of(reason), "): name another file.")};
@@ -30,7 +31,7 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
         return Error{taken.error()};
     OpenedFile opened(file);
     if (opened.error() != 0)
-        return unreadable(name, opened.error());
+        return unreadable(name, opened.error(), rule);
     if (rule.folder && !opened.is_inside(*rule.folder))
         return Error{message(name, ": is a link out of its folder: put the file itself there.")};
     if (opened.kind() == OpenedFile::Kind::folder)
@@ -49,7 +50,7 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
     while (bytes.size() <= rule.max_bytes) {
         const std::ptrdiff_t got = opened.read(block, sizeof block);
         if (got < 0)
-            return unreadable(name, opened.error());
+            return unreadable(name, opened.error(), rule);
         if (got == 0)
             return bytes;
         bytes.append(block, static_cast<std::size_t>(got));

@@ -1,4 +1,5 @@
-// The lines of a text file and their words, for the small readers of OBJ and mtl. A line ends with \n or \r\n.
+// The lines of a text file and their words, for the small readers of OBJ and mtl. A line ends with \n or \r\n; a byte order mark
+// before the first is no part of it.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +7,15 @@
 
 namespace windrow::detail {
 
+/// Of UTF-8 text.
+[[nodiscard]] inline std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view k_mark = "\xef\xbb\xbf";
+    return text.substr(text.starts_with(k_mark) ? k_mark.size() : 0);
+}
+
 class TextLines {
   public:
-    explicit TextLines(std::string_view text) : rest_(text) {}
+    explicit TextLines(std::string_view text) : rest_(without_mark(text)) {}
 
     /// Takes the next line; false at the end.
     bool next(std::string_view& line) {

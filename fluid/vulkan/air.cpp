@@ -406,7 +406,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const DiffusionMethod diffusion = diffusion_of(step.duration);
     const bool chosen = substeps > 1 && block.forced_substeps == 0; // by the device
     const bool rehearses = fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0;
-    const Passes::Around around = around_obstacles(true);
+    Passes::Around around = around_obstacles(true);
     const Shapes shapes{diffusion, around};
     if (chosen && std::exchange(shapes_, shapes) != shapes)
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(passes_.substep(diffusion, around))));
@@ -439,12 +439,15 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     }
     if (rehearses)
         substep(commands, passes_.substep(diffusion, around_obstacles(false)), -1, std::nullopt);
+    sealed_rooms_ = 0;
     for (int n = 0; n < substeps; ++n) {
         if (bodies_move && n > 0) {
             uncover(commands, n);
             place_obstacles(commands, step.obstacles, early(n));
             renew_layer(commands, step, true);
+            around = around_obstacles(true); // rooms may have come or gone
         }
+        sealed_rooms_ = std::max(sealed_rooms_, solids_ ? solids_->solids().squeezed() : 0);
         const auto stages = passes_.substep(diffusion, rehearses && n == 0 ? around_obstacles(false) : around);
         const auto passes = static_cast<std::uint32_t>(stages.size());
         substep(commands, stages, n,

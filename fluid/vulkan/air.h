@@ -153,6 +153,8 @@ class Air {
     [[nodiscard]] bool lacks_obstacles() const { return place_again_; }
     /// Rooms that the last step's volume sources blow into; 0: each can let its air out.
     [[nodiscard]] int sealed_sources() const { return sealed_sources_; }
+    /// Most in a sub-step of the last step.
+    [[nodiscard]] int sealed_rooms() const { return sealed_rooms_; }
     /// Obstacles of the last step; null: none were placed.
     [[nodiscard]] const Solids* solids() const { return solids_ ? &solids_->solids() : nullptr; }
     /// Sub-steps of each step from now on; 0, as at the start: the device chooses.
@@ -297,7 +299,7 @@ class Air {
     int history_slot_ = 0;
     std::uint32_t body_room_ = 0; ///< bodies whose forces Fields::around holds
     double step_duration_ = 0.0;  ///< [s]
-    int sealed_sources_ = 0;
+    int sealed_sources_ = 0, sealed_rooms_ = 0;
     bool passes_know_obstacles_ = false;
     struct RetiredPasses { ///< or their sets alone
         Passes passes;

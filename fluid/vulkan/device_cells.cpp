@@ -89,10 +89,9 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     air->step(commands_, step, {.substeps = tick.substeps, .limits = tick.limits});
     report.out_of_memory = air->lacks_obstacles();
     report.sealed_sources = air->sealed_sources();
-    if (const Solids* const solids = air->solids()) {
-        report.sealed_rooms = solids->squeezed();
+    report.sealed_rooms = air->sealed_rooms();
+    if (const Solids* const solids = air->solids())
         report.filling_obstacles = solids->filling();
-    }
     if (wind_.log != nullptr)
         wind_.log->note(tick);
     step.ambient->advance(step.duration);

@@ -109,6 +109,8 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
 } // namespace
 
 Result<void> Wind::State::continue_from(LoadedWind from) {
+    if (from.core.frames) // windows name the rows of their wind, and that one ends
+        from.core.frames->shown.window.rows = from.core.frames->shown_before.window.rows = core.rows.get();
     auto air = restored(cells.air->device(), from);
     if (!air)
         return Error{air.error()};
@@ -121,11 +123,8 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
     core.speed = from.core.speed;
     core.speed.note_read(from.velocity, core.ambient, core.window());
     core.frames = from.core.frames;
-    // Windows name the rows of their wind, and that one ends.
     core.place.window.rows = core.rows.get();
     core.obstacles.set_rows(core.rows.get());
-    if (core.frames)
-        core.frames->shown.window.rows = core.frames->shown_before.window.rows = core.rows.get();
     cells.continue_from(*std::move(air));
     textures.written = 2; // by the first recording, before all else
     recorded.emplace(core.shown());

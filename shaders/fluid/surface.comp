@@ -105,6 +105,7 @@ void begin(int local) {
             squares += row_volume(cell.y) * vec2(wanted * wanted, residual * residual);
         }
     }
+    memoryBarrierBuffer(); // the last group reads the residual of all
     squares = total(squares);
     if (local == 0) {
         around.wanted_parts[group] = squares.x;
@@ -116,6 +117,7 @@ void begin(int local) {
     barrier();
     if (!is_last)
         return;
+    memoryBarrierBuffer();
     squares = total(local < groups ? vec2(around.wanted_parts[local], around.left_parts[local]) : vec2(0.0f));
     const float taken = solids.part_count > 0 ? balance(local) : 0.0f;
     if (local == 0) {

@@ -100,7 +100,7 @@ WINDROW_FN WindrowContact windrow_ground_contact(WindrowWalker walker, vec2 at, 
     vec2 off = from - passed * way;
     float off_squared = dot(off, off);
     float feet = walker.from.z + passed * (walker.to.z - walker.from.z);
-    float touch = clamp(1.0f - feet / clearance, 0.0f, 1.0f);
+    float touch = clamp(min(1.0f - feet / clearance, 2.0f + feet / clearance), 0.0f, 1.0f); // a cellar is no meadow
     contact.weight = walker.to.w * touch * windrow_radial_weight(off_squared, walker.from.w);
     if (!(contact.weight > 0.0f))
         return contact;

@@ -42,7 +42,7 @@ WINDROW_FN float windrow_sphere_weight(vec3 p, float radius) { return windrow_fa
 // 15 s^7) / 8 through the sphere at s.
 WINDROW_FN float windrow_source_potential(float squared) {
     float inside = 0.125f * (17.5f - squared * (17.5f - squared * (10.5f - 2.5f * squared)));
-    return squared < 1.0f ? inside : inversesqrt(squared);
+    return squared < 1.0f ? inside : inversesqrt(squared + (squared < 1.0f ? 1.0f : 0.0f));
 }
 
 // All within `radius` of the segment from -half_axis to half_axis.
@@ -126,12 +126,11 @@ WINDROW_FN float windrow_wake_path(vec3 p, vec3 start, vec3 end, float radius) {
     float along = dot(from_start, direction);
     vec3 off = from_start - along * direction;
     float a = 1.0f - dot(off, off) / (radius * radius);
-    if (a <= 0.0f)
-        return 0.0f;
-    float reach = sqrt(a);
+    float reach = sqrt(abs(a)); // a compiler takes the root in all lanes before it chooses
     float first = clamp(-along / radius, -reach, reach);
     float last = clamp((path_length - along) / radius, -reach, reach);
-    return radius * (windrow_falloff_primitive(a, last) - windrow_falloff_primitive(a, first));
+    float path_within = radius * (windrow_falloff_primitive(a, last) - windrow_falloff_primitive(a, first));
+    return a > 0.0f ? path_within : 0.0f;
 }
 
 // Weight of a motor at a place, and its push there; fluid/motor_reach.h has what it is made of.

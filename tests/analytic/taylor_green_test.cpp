@@ -123,6 +123,7 @@ TEST(TaylorGreen, UnevenStepsAreSecondOrder) {
     struct StepSequence {
         const char* name;
         std::function<double(int, Random&)> length; ///< of step n, in any unit
+        double least = 1.9;                         ///< order
     };
     const StepSequence sequences[] = {
         {"equal", [](int, Random&) { return 1.0; }},
@@ -130,10 +131,13 @@ TEST(TaylorGreen, UnevenStepsAreSecondOrder) {
         {"2_to_1_alternating", [](int n, Random&) { return n % 2 == 0 ? 1.0 : 2.0; }},
         {"2_to_1_in_threes", [](int n, Random&) { return n / 3 % 2 == 0 ? 1.0 : 2.0; }},
         {"random_within_2", [](int, Random& random) { return std::exp2(random.real(-0.5, 0.5)); }},
+        // Extrapolation ends at a ratio of 2, or the energy could grow: beyond it the order is about 1.
+        {"4_to_1_alternating", [](int n, Random&) { return n % 2 == 0 ? 1.0 : 4.0; }, 0.9},
+        {"random_within_8", [](int, Random& random) { return std::exp2(random.real(-1.5, 1.5)); }, 1.1},
     };
     const TaylorGreen2D flow{.mean = {1.0, 0.5, 0.0}, .viscosity = 0.01};
     for (const StepSequence& sequence : sequences) {
-        figures::expect_orders(std::string("tg2d.uneven.") + sequence.name, {64, 128}, 1.9, [&](int cells) {
+        figures::expect_orders(std::string("tg2d.uneven.") + sequence.name, {64, 128}, sequence.least, [&](int cells) {
             const Box box = periodic_box({cells, cells, 1}, 2.0 * std::numbers::pi / cells);
             Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
             EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));

@@ -18,6 +18,8 @@ using test::Scenario;
 
 std::vector<Scenario> table() {
     std::vector<Scenario> rows = test::scenarios(test::whole_sweeps());
+    for (Scenario& row : test::matrix_of_motion(test::whole_sweeps() ? 1 : 7))
+        rows.push_back(std::move(row));
     for (Scenario& row : test::random_scenarios(test::sampled(40, 10)))
         rows.push_back(std::move(row));
     return rows;

@@ -170,6 +170,21 @@ TEST(GroundWalkers, ARespawnSweepsNothing) {
         }
 }
 
+// Who walks in a cellar leaves the meadow above alone; who sinks in by less than the clearance presses in full.
+TEST(GroundWalkers, OneUnderTheGroundTouchesNothing) {
+    const auto trample_of = [](float feet) {
+        GroundMemory ground = walked_ground({});
+        const GroundWalker walker{.foot_height = feet, .previous_foot_height = feet};
+        walk_on(ground, 1.0 / 60.0, std::span(&walker, 1));
+        return ground.at(k_texel).trample;
+    };
+    const float whole = trample_of(0.0f);
+    EXPECT_GT(whole, 0.5f);
+    EXPECT_EQ(trample_of(-0.4f), whole);
+    EXPECT_NEAR(trample_of(-0.6f), 0.5f * whole, 1e-3f);
+    EXPECT_EQ(trample_of(-5.0f), 0.0f);
+}
+
 TEST(GroundWalkers, AHeightThatDoesNotCountMayBeAnything) {
     GroundMemory ground = walked_ground({});
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -75,7 +75,8 @@ TEST_F(FileNames, BytesStayAsTheyAre) {
 }
 
 TEST_F(FileNames, LinesEndInEitherWay) {
-    for (const char* const text : {"v 1 2\nf 3\n\nend", "v 1 2\r\nf 3\r\n\r\nend", "v 1 2\r\nf 3\n\r\nend\r\n"}) {
+    for (const char* const text :
+         {"v 1 2\nf 3\n\nend", "v 1 2\r\nf 3\r\n\r\nend", "v 1 2\r\nf 3\n\r\nend\r\n", "\xef\xbb\xbfv 1 2\nf 3\n\nend"}) {
         detail::TextLines lines(text);
         std::string all;
         for (std::string_view line; lines.next(line);)

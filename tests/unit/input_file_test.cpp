@@ -37,7 +37,7 @@ TEST_F(InputFile, ARegularFileIsReadToItsBound) {
     EXPECT_EQ(read("plain", 9), "plain: is larger than 0 MiB, the most that is read: give a smaller file.");
     fs::create_symlink("plain", folder / "inside");
     EXPECT_EQ(read("inside"), "0123456789");
-    EXPECT_EQ(read("none"), "none: no such file: check the name and the current folder.");
+    EXPECT_EQ(read("none"), "none: no such file: check the name, which is sought beside the file that gives it.");
 }
 
 TEST_F(InputFile, ASparseFileCountsWithItsSize) {

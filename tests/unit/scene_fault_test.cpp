@@ -196,7 +196,7 @@ TEST(SceneFault, TablesOutsideTheFolder) {
                   std::string("a.json: $.paths.p.file is \"") + file +
                       "\": name a file in the scene's folder, relative to it, so that the folder can be copied as a whole.");
     expect_rejection(R"({"paths": {"p": {"file": "none.csv"}}})",
-                     "none.csv: no such file: check the name and the current folder.");
+                     "none.csv: no such file: check the name, which is sought beside the file that gives it.");
 }
 
 TEST(SceneFault, FilesThatCannotBeRead) {

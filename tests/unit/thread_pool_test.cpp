@@ -189,4 +189,32 @@ TEST(ThreadPoolDeathTest, ALoopWithinALoopIsNamed) {
 }
 #endif
 
+#if defined(__unix__) && !defined(__SANITIZE_THREAD__)
+// A child of fork has none of its parent's threads: its loops run in its own, and it ends (Python's multiprocessing before 3.14).
+TEST(ThreadPool, WorksAloneInAChildOfFork) {
+    ThreadPool pool(4);
+    const ParallelFor loop = pool.parallel_for();
+    std::atomic<int> sum{0};
+    loop(100, [&](int n) { sum += n; });
+    ASSERT_EQ(sum, 4950);
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(20); // a child that waits for threads is killed
+        sum = 0;
+        {
+            ThreadPool own(2);
+            own.parallel_for()(100, [&](int n) { sum += n; });
+        }
+        loop(100, [&](int n) { sum += n; });
+        _exit(sum == 9900 ? 0 : 1);
+    }
+    ASSERT_GT(child, 0);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    loop(100, [&](int n) { sum += n; });
+    EXPECT_EQ(sum, 9900) << "the parent goes on";
+}
+#endif
+
 } // namespace

@@ -259,4 +259,24 @@ TEST(WindChanges, AReplayKnowsATileWithoutGusts) {
     EXPECT_EQ(*again->save(), *wind.save());
 }
 
+// The farthest floor that is taken is one that a snapshot holds, in rows too, whose lowest cells are thinner.
+TEST(WindChanges, AFloorThatIsTakenIsSaved) {
+    for (const bool own_rows : {false, true})
+        for (const double height : {9.9e10, 1e11, 1e12, -1e12}) {
+            Config config{.cells = {8, 8, 8}, .boundaries = Boundaries::open_over_floor()};
+            if (own_rows)
+                config.rows = Rows{.first = 0.1f, .uniform = 2, .ratio = 1.3f};
+            Wind wind = made(config);
+            const bool taken = wind.set_floor(height).has_value();
+            EXPECT_EQ(taken, !own_rows || std::abs(height) <= 1e11) << height;
+            config.floor = height;
+            EXPECT_EQ(Wind::create(config).has_value(), taken) << height;
+            (void)wind.step(0.02);
+            const auto bytes = wind.save();
+            ASSERT_TRUE(bytes);
+            const auto same = Wind::load(*bytes);
+            EXPECT_TRUE(same) << height << ": " << same.error();
+        }
+}
+
 } // namespace

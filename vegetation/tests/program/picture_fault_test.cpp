@@ -162,7 +162,8 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
     const auto ground = [&](const std::string& keys) { return rejection(R"({"ground": {)" + keys + "}}", folder / "a.json"); };
     const std::string start = (folder / "a.json").string() + ": $.picture.ground.", at = (folder / "").string();
     EXPECT_EQ(ground(R"("heights": "hils.pgm")"),
-              start + "heights is \"hils.pgm\": " + at + "hils.pgm: no such file: check the name and the current folder.");
+              start + "heights is \"hils.pgm\": " + at +
+                  "hils.pgm: no such file: check the name, which is sought beside the file that gives it.");
     EXPECT_EQ(ground(R"("heights": "cut.pgm", "extent": [80, 40])"),
               start + "heights is \"cut.pgm\": " + at + "cut.pgm ends early: it has 17 bytes of 103; save it again.");
     EXPECT_EQ(ground(R"("heights": "huge.pgm")"),
@@ -187,7 +188,7 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
                       "numbers.");
     EXPECT_EQ(rejection(R"({"grass": [{"mask": {"file": "none.pgm"}}]})", folder / "a.json"),
               (folder / "a.json").string() + ": $.picture.grass[0].mask.file is \"none.pgm\": " + at +
-                  "none.pgm: no such file: check the name and the current folder.");
+                  "none.pgm: no such file: check the name, which is sought beside the file that gives it.");
     EXPECT_FALSE(read_picture_scene(folder / "none.json"));
 }
 
