@@ -137,10 +137,11 @@ struct Diagnostics {
             ReportRow{"sealed_sources", &Diagnostics::sealed_sources, "",
                       "Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is "
                       "taken out again, evenly, from all air of that room: incompressible air cannot leave it."},
-            ReportRow{"sealed_rooms", &Diagnostics::sealed_rooms, "",
-                      "Parts of the air without an opening whose volume moving walls change: a closed room, or all air of a box "
-                      "without an open boundary. Incompressible air cannot leave: it takes the change evenly, as if it were pressed "
-                      "together, and its pressure is relative to none."},
+            ReportRow{
+                "sealed_rooms", &Diagnostics::sealed_rooms, "",
+                "Parts of the air without an opening whose volume moving walls change: a closed room, or all air of a box "
+                "without an open boundary. Incompressible air cannot leave: it takes the change evenly, as if it were pressed "
+                "together, and its pressure is relative to none."},
             ReportRow{"divergence_rms", &Diagnostics::divergence_rms, "1/s",
                       "Root mean square of the central divergence that the collocated projection leaves."},
             ReportRow{"energy", &Diagnostics::energy, "m^5/s^2",

@@ -59,8 +59,8 @@ struct Plate {
     glm::vec2 half_size{1.0f};
 
     static constexpr auto settings() {
-        return std::tuple{
-            Setting("half_size", &Plate::half_size, k_size_range.of_pair("x, y"), "From the centre to the edges, along its own x and y axes.")};
+        return std::tuple{Setting("half_size", &Plate::half_size, k_size_range.of_pair("x, y"),
+                                  "From the centre to the edges, along its own x and y axes.")};
     }
 };
 
