@@ -38,6 +38,15 @@ Config calm(glm::ivec3 cells, const Boundaries& boundaries = {}) {
     return config;
 }
 
+/// A tube along x of 4 x 4 m, closed at its high end.
+void build_tube(Wind& wind, double middle, float half_length) {
+    for (const double side : {-3.0, 3.0}) {
+        (void)add(wind, {middle, side, 0.0}, {half_length, 1.0f, 4.0f});
+        (void)add(wind, {middle, 0.0, side}, {half_length, 2.0f, 1.0f});
+    }
+    (void)add(wind, {middle + static_cast<double>(half_length) + 1.0, 0.0, 0.0}, {1.0f, 4.0f, 4.0f});
+}
+
 /// Walls of .6 m around a room of 6 x 4 x 6 m, with a doorway from -half to half on its low side of x.
 void build_house(Wind& wind, float half) {
     for (const double side : {-2.3, 2.3})
@@ -62,11 +71,7 @@ std::vector<Press> presses() {
                    .frames = 400,
                    .build =
                        [](Wind& wind) {
-                           (void)add(wind, {9.0, 0.0, 0.0}, {1.0f, 4.0f, 4.0f});
-                           for (const double side : {-3.0, 3.0}) {
-                               (void)add(wind, {6.0, side, 0.0}, {2.0f, 1.0f, 4.0f});
-                               (void)add(wind, {6.0, 0.0, side}, {2.0f, 2.0f, 1.0f});
-                           }
+                           build_tube(wind, 6.0, 2.0f);
                            return add(wind, {0.0, 0.0, 0.0}, {2.0f, 2.0f, 2.0f});
                        },
                    .at = along_x(0.0),
@@ -77,11 +82,7 @@ std::vector<Press> presses() {
                    .area = 16.0f,
                    .build =
                        [](Wind& wind) {
-                           for (const double side : {-3.0, 3.0}) {
-                               (void)add(wind, {0.0, side, 0.0}, {12.0f, 1.0f, 4.0f});
-                               (void)add(wind, {0.0, 0.0, side}, {12.0f, 2.0f, 1.0f});
-                           }
-                           (void)add(wind, {13.0, 0.0, 0.0}, {1.0f, 4.0f, 4.0f});
+                           build_tube(wind, 0.0, 12.0f);
                            return add(wind, {-6.0, 0.0, 0.0}, {2.3f, 2.2f, 2.2f});
                        },
                    .at = along_x(-6.0)});
