@@ -177,7 +177,7 @@ enum {
     WINDROW_STAGE_ALL = 31
 };
 
-/* Made by ./dev schema from Config; by hand: follow_axes, stages, ticks, ticks_hz, ticks_max_per_call. */
+/* Made by ./dev schema from Config; by hand: follow_axes, relaxation_time, stages, ticks, ticks_hz, ticks_max_per_call. */
 typedef struct windrow_config {
     uint32_t struct_size;
     /* [cells] Each component 1 to 2048, default (32, 16, 32). Cells along x, y, z; at most 67,108,864 in all. Odd sizes too.
@@ -225,8 +225,9 @@ typedef struct windrow_config {
     /* [m^2/s] 0 to 1e9, default 1.5e-5. Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver
        resolves and costs nothing. */
     float viscosity;
-    /* [s] 0 (never) to 1e9, default 20. Time constant of the relaxation to the ambient wind. Default 20: a collocated solver
-       has no other damping of the checkerboard mode in still air. 0 is for analytic cases. */
+    /* [s] 0 (never) to 1e9, or -1, the default: 20; 200 while wind meets obstacles, whose lees 20 would fill. Time constant of
+       the relaxation to the ambient wind. A collocated solver has no other damping of the checkerboard mode in still air. 0 is
+       for analytic cases. */
     float relaxation_time;
     /* [m/s] 0 (never) to 10000, default 0.001. Air that differs from ambient by less everywhere, with no motor in reach and no
        gusts, sleeps: it becomes ambient, and a step costs microseconds until something acts. It does not sleep without a

@@ -18,7 +18,8 @@ WINDROW_C_API int32_t windrow_event_log_complete(const windrow_event_log* log);
 WINDROW_C_API windrow_result windrow_event_log_clear(windrow_event_log* log);
 WINDROW_C_API windrow_result windrow_event_log_to_bytes(const windrow_event_log* log, windrow_bytes** bytes);
 WINDROW_C_API windrow_result windrow_event_log_from_bytes(const void* bytes, uint64_t size, windrow_event_log** log);
-/* Repeats all calls on a wind on the CPU, in the state in which the log began. */
+/* Repeats all calls on a wind on the CPU, in the state in which the log began. Stops at the first call that fails; those before it
+   have changed the wind. */
 WINDROW_C_API windrow_result windrow_event_log_replay(const windrow_event_log* log, windrow_wind* wind);
 
 #ifdef __cplusplus

@@ -45,7 +45,8 @@ typedef struct windrow_diagnostics {
     uint32_t struct_size;
     /* 0 or 1. The step ran. False: dt was 0, negative or not finite, or out_of_memory; nothing was done. */
     int32_t stepped;
-    /* 0 or 1. The system has no memory that the step needs: the wind is unchanged. Free some and call again. */
+    /* 0 or 1. The system has no memory that the step needs: the wind is unchanged. Free some and call again. On a device only
+       its obstacles find none: the step ran without them. */
     int32_t out_of_memory;
     /* 0 or 1. The box, with rows of its own, was at another height in the last step: air that stayed in it was interpolated.
        After `advance`, in any of its ticks. */

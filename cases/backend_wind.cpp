@@ -31,7 +31,7 @@ Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, [
 #endif
     auto wind = Wind::create(config);
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(std::make_unique<Wind>(*std::move(wind))));
 }
 

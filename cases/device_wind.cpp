@@ -37,7 +37,7 @@ Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, co
         wind = vulkan::Wind::create(backend.device()->host(), config, settings);
     }
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     return std::unique_ptr<BackendWind>(new DeviceWind(backend, std::make_unique<vulkan::Wind>(*std::move(wind))));
 }
 

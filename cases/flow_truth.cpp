@@ -34,7 +34,7 @@ Result<std::optional<FlowTruth>> FlowTruth::find(const ParetoFlow& flow, Simd si
                                                  const std::function<bool()>& stopped) {
     const auto still = FlowWind::create(flow, flow.grids.front(), {});
     if (!still)
-        return Error{still.error()};
+        return still.failure();
     AmbientWind ambient = still->ambient();
     ambient.advance(flow.end);
     FlowTruth truth(flow, ambient);
@@ -42,7 +42,7 @@ Result<std::optional<FlowTruth>> FlowTruth::find(const ParetoFlow& flow, Simd si
         return std::optional(std::move(truth));
     auto wind = FlowWind::create(flow, flow.reference, {.simd = simd, .parallel_for = parallel_for});
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     const int steps = steps_of(flow, flow.reference, 1.0);
     for (int n = 0; n < steps; ++n) {
         if (stopped())

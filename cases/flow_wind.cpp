@@ -25,7 +25,7 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
                                      .parallel_for = settings.parallel_for},
                                     backend);
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     FlowWind made;
     made.wind_ = *std::move(wind);
     if (!has_voxels(flow, settings.method))
@@ -34,13 +34,13 @@ Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, cons
     for (const Motor& motor : flow.motors) {
         const auto added = made.wind_->motors().add(motor);
         if (!added)
-            return Error{added.error()};
+            return added.failure();
         if (&motor == &flow.motors.front())
             made.first_ = *added;
     }
     for (const Obstacle& obstacle : flow.obstacles)
         if (const auto added = made.wind_->obstacles().add(obstacle); !added)
-            return Error{added.error()};
+            return added.failure();
     if (has_voxels(flow, settings.method))
         made.voxels_ = std::make_unique<reference::VoxelStep>(
             cells, box.cell_size, reference::sweeps_of(settings.method.pressure), glm::vec3(flow.mean),

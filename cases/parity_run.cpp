@@ -45,7 +45,7 @@ class Twins {
             const auto cpu = cpu_.motors().add(one.motor);
             const auto gpu = gpu_.motors().add(one.motor);
             if (!cpu || !gpu)
-                return Error{cpu ? gpu.error() : cpu.error()};
+                return cpu ? gpu.failure() : cpu.failure();
             ids_.push_back({*cpu, *gpu});
         }
         return {};
@@ -95,7 +95,7 @@ class Twins {
         Result<void> recorded;
         const auto keep = [&](const auto& done) {
             if (!done)
-                recorded = Error{done.error()};
+                recorded = done.failure();
         };
         auto ran = device_.submit(frame.slot, [&](VkCommandBuffer commands) {
             story_.frames ? keep(gpu_.record(commands, frame)) : keep(gpu_.record_step(commands, frame));
@@ -146,7 +146,7 @@ class Twins {
             const auto cpu = cpu_.obstacles().add(one.obstacle);
             const auto gpu = gpu_.obstacles().add(one.obstacle);
             if (!cpu || !gpu)
-                return Error{cpu ? gpu.error() : cpu.error()};
+                return cpu ? gpu.failure() : cpu.failure();
             bodies_.push_back({&one, *cpu, *gpu});
         }
         return {};

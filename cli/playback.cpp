@@ -13,17 +13,17 @@ Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads
     config.parallel_for = threads;
     auto wind = BackendWind::create(config, backend, BackendClock::on);
     if (!wind)
-        return Error{message(scene.file.string(), ": $.air: ", wind.error())};
+        return wind.failure().after(message(scene.file.string(), ": $.air: "));
     Playback playback(scene, *std::move(wind));
     if (const auto begun = playback.air_.begin(*playback.wind_); !begun)
-        return Error{begun.error()};
+        return begun.failure();
     return playback;
 }
 
 Result<Diagnostics> Playback::step(const scene::FrameTimes& times) {
     const std::int64_t next = steps() + 1;
     if (const auto placed = air_.advance_to(*wind_, times.time_of_step(next)); !placed)
-        return Error{placed.error()};
+        return placed.failure();
     return wind_->step(times.length_of_step(next));
 }
 

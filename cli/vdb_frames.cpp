@@ -113,7 +113,7 @@ Result<WindView> VdbFrames::air_of(const Playback& playback) {
     return detail::where_memory_lasts([&]() -> Result<WindView> {
         obstacle_.resize(air.field().size());
         if (auto marked = playback.wind().reader().write_obstacles(obstacle_); !marked)
-            return Error{marked.error()};
+            return marked.failure();
         if (playback.steps() > 0)
             return air;
         first_.assign(air.field().begin(), air.field().end());
@@ -128,7 +128,7 @@ Result<void> VdbFrames::find_divergence(const WindView& air, std::span<const Pla
     if (!work_) {
         auto made = Workspace::create({.box = air.box(), .ambient = air.ambient().mean(), .parallel_for = parallel_for_});
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         work_ = *std::move(made);
         divergence_.resize(air.box().cell_count());
     }

@@ -14,7 +14,7 @@ Result<void> validate(const BladeSettings& settings) {
 
 Result<Blades> Blades::create(const BladeSettings& settings) {
     if (auto valid = validate(settings); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return Blades(settings);
 }
 

@@ -43,10 +43,10 @@ Result<void> validate(const Pose& pose) {
 
 Result<Cascade> Cascade::create(const CascadeConfig& config, const Pose& body) {
     if (auto valid = validate(config); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     auto step = CascadeStep::create(config.stages);
     if (!step)
-        return Error{step.error()};
+        return step.failure();
     return detail::where_memory_lasts([&]() -> Result<Cascade> {
         Cascade cascade(config, *std::move(step));
         const auto stages = static_cast<std::size_t>(config.stages);
@@ -55,7 +55,7 @@ Result<Cascade> Cascade::create(const CascadeConfig& config, const Pose& body) {
         cascade.poses_.resize(stages + 1);
         cascade.previous_poses_.resize(stages + 1);
         if (auto rested = cascade.reset(body); !rested)
-            return Error{rested.error()};
+            return rested.failure();
         return cascade;
     });
 }

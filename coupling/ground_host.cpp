@@ -46,7 +46,8 @@ glm::ivec2 GroundHost::slot_of(Texel corner) const {
 
 glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
     const Texel corner = corner_about(point_);
-    const glm::ivec2 texel = numerics::windrow_ground_in_slot(slot, slot_of(corner), config_.texels);
+    const glm::ivec2 within = glm::clamp(slot, glm::ivec2(0), glm::ivec2(config_.texels - 1));
+    const glm::ivec2 texel = numerics::windrow_ground_in_slot(within, slot_of(corner), config_.texels);
     return (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
 }
 

@@ -37,7 +37,7 @@ GroundMemory::~GroundMemory() = default;
 
 Result<GroundMemory> GroundMemory::create(const GroundConfig& config, ParallelFor parallel_for) {
     if (auto valid = validate(config); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return detail::where_memory_lasts([&]() -> Result<GroundMemory> {
         auto state = std::make_unique<State>(config, parallel_for);
         const std::size_t count = state->host.texel_count();
@@ -70,7 +70,7 @@ Result<void> GroundMemory::advance(const GroundStep& step, std::span<const glm::
 Result<void> GroundMemory::State::advance(const GroundStep& step, std::span<const glm::vec2> wind_leans) {
     const auto begun = host.begin(step, wind_leans.empty() ? WindLeans::everywhere : WindLeans::each_texel);
     if (!begun)
-        return Error{begun.error()};
+        return begun.failure();
     set ^= 1;
     parallel_for(host.config().texels, [&](int row) { advance_row(*begun, row, wind_leans); });
     if (!shown_once) // the frame before the first is the first

@@ -49,7 +49,7 @@ class WINDROW_API GroundMemory {
     Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
     /// Walkers who touched the window in the last `advance` and did not count, for lack of room.
     [[nodiscard]] int walkers_left_out() const;
-    /// [m] Place (x, z) of what a slot will hold after the next `advance`.
+    /// [m] Place (x, z) of what a slot, 0 to texels - 1 along each edge, will hold after the next `advance`.
     [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
 
     /// At a world point, of which x and z count, and the same before the last `advance`: the difference is this frame's motion

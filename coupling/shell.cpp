@@ -20,7 +20,7 @@ void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, con
 
 Result<Shells> Shells::create(const ShellSettings& settings) {
     if (auto valid = validate(settings); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return Shells(settings);
 }
 

@@ -108,7 +108,7 @@ Result<void> validate(const SpringClass& spring) {
 
 Result<std::array<SpringClass, 4>> spring_bands(const SpringClass& spring) {
     if (auto valid = validate(spring); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     constexpr double k_steps[] = {0.77110541270397037, 0.91700404320467121, 1.0905077326652577, 1.2968395546510096};
     std::array<SpringClass, 4> bands;
     for (std::size_t n = 0; n < bands.size(); ++n)
@@ -118,7 +118,7 @@ Result<std::array<SpringClass, 4>> spring_bands(const SpringClass& spring) {
 
 Result<SpringStep> spring_step(const SpringClass& spring, double duration) {
     if (auto valid = validate(spring); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     if (!(duration >= 0.0) || !std::isfinite(duration))
         return Error{detail::message("The duration of a spring's step is ", duration, " s: give 0 or more.")};
     if (duration == 0.0)
@@ -149,12 +149,12 @@ Result<SwingBlock> filtered_swing_step(const SpringClass& spring, double class_h
     const double parts = std::clamp(std::ceil(duration / k_part - 1e-6), 1.0, k_most_parts);
     const auto step = spring_step(spring, duration / parts);
     if (!step)
-        return Error{step.error()};
+        return step.failure();
     constexpr double k_butterworth = 0.70710678118654752; // damping of the flattest filter of two poles
     const double passed_hz = 6.0 / 7.0 * class_hz, shown_hz = duration > 0.0 ? 0.15 / duration : passed_hz;
     const auto filter = spring_step({std::clamp(shown_hz, 1e-4, std::max(passed_hz, 1e-4)), k_butterworth}, duration / parts);
     if (!filter)
-        return Error{filter.error()};
+        return filter.failure();
     SwingBlock block;
     block.spring = step->block();
     block.smoothing = filter->block();
@@ -171,12 +171,12 @@ Result<SwingBlock> swing_step(const SpringClass& spring, double duration) {
 Result<std::array<SwingBlock, 4>> swing_steps(const SpringClass& spring, double duration) {
     const auto bands = spring_bands(spring);
     if (!bands)
-        return Error{bands.error()};
+        return bands.failure();
     std::array<SwingBlock, 4> blocks;
     for (std::size_t n = 0; n < blocks.size(); ++n) {
         const auto block = filtered_swing_step((*bands)[n], spring.frequency_hz, duration);
         if (!block)
-            return Error{block.error()};
+            return block.failure();
         blocks[n] = *block;
     }
     return blocks;
@@ -188,7 +188,7 @@ Result<void> validate(const FlutterClass& flutter) {
 
 Result<FlutterBlock> flutter_step(const FlutterClass& flutter, double time, double duration) {
     if (auto valid = validate(flutter); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     if (!(duration >= 0.0) || !std::isfinite(duration) || !std::isfinite(time))
         return Error{detail::message("A frame of flutter ends at ", time, " s and has ", duration,
                                      " s: give finite numbers, and a duration of 0 or more.")};

@@ -54,7 +54,7 @@ Result<void> validate(const TreePart& part, const char* name) {
 
 Result<Tree> Tree::create(const TreeClasses& settings) {
     if (auto valid = validate(settings); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return Tree(settings);
 }
 

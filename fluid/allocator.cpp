@@ -20,6 +20,10 @@ std::size_t alignment_of(std::size_t bytes) {
     return bytes >= 2 * k_huge_page ? k_huge_page : k_cache_line;
 }
 
+bool is_aligned(const void* memory, std::size_t alignment) {
+    return reinterpret_cast<std::uintptr_t>(memory) % alignment == 0;
+}
+
 void* own_allocate(std::size_t bytes, std::size_t alignment, void*) {
     return ::operator new[](bytes, std::align_val_t(alignment), std::nothrow);
 }
@@ -39,6 +43,14 @@ Result<void> set_allocator(const Allocator& allocator) {
     if (const std::uint64_t bytes = held; bytes > 0)
         return Error{detail::message("allocator cannot change while ", bytes,
                                      " bytes are held: set it before the first wind, or destroy all winds and tiles first.")};
+    if (allocator.allocate != nullptr)
+        if (void* const memory = allocator.allocate(k_cache_line, k_cache_line, allocator.user); memory != nullptr) {
+            const bool aligned = is_aligned(memory, k_cache_line);
+            allocator.release(memory, k_cache_line, k_cache_line, allocator.user);
+            if (!aligned)
+                return Error{
+                    "allocator.allocate gave an address that is no multiple of 64: keep to the alignment that it is given."};
+        }
     in_use = allocator.allocate != nullptr ? allocator : k_own;
     return {};
 }
@@ -51,6 +63,10 @@ namespace detail {
 
 void* allocate_aligned(std::size_t bytes) {
     void* const memory = in_use.allocate(bytes, alignment_of(bytes), in_use.user);
+    if (memory != nullptr && !is_aligned(memory, alignment_of(bytes))) {
+        in_use.release(memory, bytes, alignment_of(bytes), in_use.user);
+        throw std::bad_alloc(); // it would end in a fault of the vector units
+    }
     if (memory == nullptr)
         throw std::bad_alloc();
     held += bytes;

@@ -32,7 +32,8 @@ struct Allocator {
 };
 
 /// Sets the allocator of the whole process; both functions null: the library's own. Call it before the first object. Rejects one
-/// function without the other, and any change while memory is held.
+/// function without the other, any change while memory is held, and memory that is not aligned: `allocate` is tried once. Later such
+/// memory is given back and counts as none.
 WINDROW_API Result<void> set_allocator(const Allocator& allocator);
 /// [bytes] Held from the allocator now.
 [[nodiscard]] WINDROW_API std::uint64_t allocated_bytes();

@@ -47,7 +47,7 @@ glm::vec3 UniformGust::velocity(double time) const {
 
 Result<AmbientWind> AmbientWind::create(const Settings& settings) {
     if (auto valid = detail::validate_settings(settings); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     AmbientWind wind(settings);
     if (settings.gusts.intensity > 0.0f && settings.gusts.tile == nullptr)
         wind.settings_.gusts.tile = GustTile::bake(settings.gusts.seed);

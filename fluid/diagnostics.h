@@ -84,8 +84,10 @@ struct Diagnostics {
         return std::tuple{
             ReportRow{"stepped", &Diagnostics::stepped, "",
                       "The step ran. False: dt was 0, negative or not finite, or out_of_memory; nothing was done."},
-            ReportRow{"out_of_memory", &Diagnostics::out_of_memory, "",
-                      "The system has no memory that the step needs: the wind is unchanged. Free some and call again."},
+            ReportRow{
+                "out_of_memory", &Diagnostics::out_of_memory, "",
+                "The system has no memory that the step needs: the wind is unchanged. Free some and call again. On a device only "
+                "its obstacles find none: the step ran without them."},
             ReportRow{"regridded", &Diagnostics::regridded, "",
                       "The box, with rows of its own, was at another height in the last step: air that stayed in it was "
                       "interpolated. After `advance`, in any of its ticks."},

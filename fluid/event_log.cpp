@@ -148,7 +148,7 @@ void EventLog::clear() {
 
 Result<std::vector<std::byte>> EventLog::to_bytes() const {
     if (auto complete = detail::check_complete(*this); !complete)
-        return Error{complete.error()};
+        return complete.failure();
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
         detail::Writer writer(64 * events_.size());
         writer(static_cast<std::uint64_t>(events_.size()));
@@ -165,7 +165,7 @@ Result<EventLog> EventLog::from_bytes(std::span<const std::byte> bytes) {
 Result<EventLog> EventLog::read(std::span<const std::byte> bytes) {
     const auto content = detail::unseal(bytes, k_format);
     if (!content)
-        return Error{content.error()};
+        return content.failure();
     detail::Reader reader(*content);
     std::uint64_t count = 0;
     reader(count);

@@ -56,9 +56,9 @@ Motors::Motors() : list_({"motor", "removed, ended, or never added"}, k_capacity
 
 Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     if (auto room = list_.check_room(); !room)
-        return Error{room.error()};
+        return room.failure();
     const bool has_room = detail::memory_lasts([&] {
         list_.make_room();
         reserve_reach(&motor);
@@ -81,7 +81,7 @@ void Motors::start(Slot& slot, const Motor& motor) {
 Result<void> Motors::set(MotorId id, const Motor& motor) {
     const auto found = list_.find(id);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     if (auto valid = validate(motor); !valid)
         return valid;
     if (!detail::memory_lasts([&] { reserve_reach(&motor); }))
@@ -95,7 +95,7 @@ Result<void> Motors::set(MotorId id, const Motor& motor) {
 Result<void> Motors::move(MotorId id, glm::dvec3 position) {
     const auto found = list_.find(id);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     Slot* const slot = *found;
     if (auto valid = detail::validate_motor_position(position); !valid)
         return valid;
@@ -108,7 +108,7 @@ Result<void> Motors::move(MotorId id, glm::dvec3 position) {
 
 Result<void> Motors::remove(MotorId id) {
     if (const auto found = list_.find(id); !found)
-        return Error{found.error()};
+        return found.failure();
     list_.release(id.slot);
     if (log_ != nullptr)
         log_->note(MotorRemoved{id.unowned()});

@@ -77,9 +77,9 @@ Obstacles::Obstacles() : list_({"obstacle", "removed, or never added"}, k_capaci
 
 Result<ObstacleId> Obstacles::add(const Obstacle& obstacle) {
     if (auto valid = validate(obstacle); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     if (auto room = list_.check_room(); !room)
-        return Error{room.error()};
+        return room.failure();
     const bool has_room = detail::memory_lasts([&] {
         list_.make_room();
         make_room();
@@ -105,7 +105,7 @@ void Obstacles::make_room() {
 Result<void> Obstacles::set(ObstacleId id, const Obstacle& obstacle) {
     const auto found = list_.find(id);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     if (auto valid = validate(obstacle); !valid)
         return valid;
     note_change(id.slot);
@@ -134,7 +134,7 @@ Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, glm::quat orien
 Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation, std::optional<glm::vec3> spin) {
     const auto found = list_.find(id);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     Slot& slot = **found;
     if (auto valid = detail::validate_pose(position, orientation != nullptr ? *orientation : slot.obstacle.orientation, spin);
         !valid)
@@ -154,7 +154,7 @@ Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat
 
 Result<void> Obstacles::remove(ObstacleId id) {
     if (const auto found = list_.find(id); !found)
-        return Error{found.error()};
+        return found.failure();
     note_change(id.slot);
     end_motion(id.slot);
     grid_.erase(id.slot);
@@ -166,7 +166,7 @@ Result<void> Obstacles::remove(ObstacleId id) {
 
 Result<void> Obstacles::check(ObstacleId id) const {
     const auto slot = list_.find(id);
-    return slot ? Result<void>() : Error{slot.error()};
+    return slot ? Result<void>() : slot.failure();
 }
 
 const Obstacle* Obstacles::find(ObstacleId id) const {

@@ -12,23 +12,50 @@
 
 namespace windrow {
 
+/// What a caller can do about a failure: mend its arguments, free memory and call again, make the device again.
+enum class Fault { rejected, out_of_memory, device_lost };
+
 /// Reason of a failure. `message` is one sentence (or several, one per line) with the fix.
-/// Creation does not throw: without memory for the sentence it is "out of memory", which does not allocate.
+/// Creation and copies do not throw: without memory for the sentence it is "out of memory", which does not allocate.
 struct Error {
     Error() = default;
-    Error(std::string&& text) noexcept : message(std::move(text)) {}
+    Error(std::string&& text, Fault kind = Fault::rejected) noexcept : message(std::move(text)), fault(kind) {}
     template <std::convertible_to<std::string_view> Text>
-    Error(const Text& text) noexcept {
-        try {
-            message = std::string_view(text);
-        } catch (...) {
-            message = k_out_of_memory;
-        }
+    Error(const Text& text, Fault kind = Fault::rejected) noexcept {
+        take({}, std::string_view(text), kind);
+    }
+    Error(const Error& other) noexcept { take({}, other.message, other.fault); }
+    Error(Error&&) noexcept = default;
+    Error& operator=(Error other) noexcept {
+        message.swap(other.message);
+        fault = other.fault;
+        return *this;
+    }
+    ~Error() = default;
+
+    /// The same reason behind the name of a place: "$.picture.trees: ".
+    [[nodiscard]] Error after(std::string_view place) const noexcept {
+        Error whole;
+        whole.take(place, message, fault);
+        return whole;
     }
 
     std::string message;
+    Fault fault = Fault::rejected;
 
     static constexpr const char* k_out_of_memory = "out of memory";
+
+  private:
+    void take(std::string_view place, std::string_view text, Fault kind) noexcept {
+        try {
+            message = place;
+            message += text;
+            fault = kind;
+        } catch (...) {
+            message = k_out_of_memory;
+            fault = Fault::out_of_memory;
+        }
+    }
 };
 
 /// A value or an Error. `if (result)` asks whether it holds a value; `*result` and `result->` reach it (undefined without one).
@@ -48,7 +75,9 @@ class [[nodiscard]] Result {
     const T* operator->() const { return std::get_if<0>(&content_); }
 
     /// The message; valid only where has_value() is false.
-    [[nodiscard]] const std::string& error() const { return std::get_if<1>(&content_)->message; }
+    [[nodiscard]] const std::string& error() const { return failure().message; }
+    /// The whole Error, to hand it on: `return made.failure();`.
+    [[nodiscard]] const Error& failure() const { return *std::get_if<1>(&content_); }
 
   private:
     std::variant<T, Error> content_;
@@ -59,14 +88,15 @@ template <>
 class [[nodiscard]] Result<void> {
   public:
     Result() = default;
-    Result(Error error) : error_(std::move(error.message)), failed_(true) {}
+    Result(Error error) : error_(std::move(error)), failed_(true) {}
 
     [[nodiscard]] bool has_value() const noexcept { return !failed_; }
     explicit operator bool() const noexcept { return !failed_; }
-    [[nodiscard]] const std::string& error() const { return error_; }
+    [[nodiscard]] const std::string& error() const { return error_.message; }
+    [[nodiscard]] const Error& failure() const { return error_; }
 
   private:
-    std::string error_;
+    Error error_;
     bool failed_ = false;
 };
 

@@ -74,7 +74,7 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 
 Result<std::shared_ptr<const RowTable>> RowTable::create(const Rows& rows, int count, float cell_size) {
     if (auto valid = validate(rows); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     if (count < 2)
         return Error{detail::message("rows are given for a box of ", count, " row: give 2 rows or more, or no rows.")};
     if (count > k_max_rows)

@@ -101,7 +101,7 @@ class SlotList {
     }
     [[nodiscard]] Result<Slot*> find(Id id) {
         const auto found = std::as_const(*this).find(id);
-        return found ? Result<Slot*>(const_cast<Slot*>(*found)) : Error{found.error()};
+        return found ? Result<Slot*>(const_cast<Slot*>(*found)) : found.failure();
     }
 
   private:

@@ -15,7 +15,7 @@ namespace windrow {
 Result<Tracer> Tracer::create(const WindView& air, const ParallelFor& parallel_for) {
     auto work = Workspace::create({.box = air.box(), .ambient = air.ambient().mean(), .parallel_for = parallel_for});
     if (!work)
-        return Error{work.error()};
+        return work.failure();
     return detail::where_memory_lasts([&]() -> Result<Tracer> { return Tracer(air, *std::move(work)); });
 }
 

@@ -37,14 +37,14 @@ Wind::~Wind() = default;
 Result<Wind> Wind::create(const Config& config) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
         if (auto valid = validate(config); !valid)
-            return Error{valid.error()};
+            return valid.failure();
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)
-            return Error{workspace.error()};
+            return workspace.failure();
         auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
-            return Error{ambient.error()};
+            return ambient.failure();
         return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
     });
 }
@@ -59,7 +59,7 @@ Diagnostics Wind::step(double dt) {
 
 Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
     if (auto known = state_->core.obstacles.check(id); !known)
-        return Error{known.error()};
+        return known.failure();
     return state_->cells.loads.force_on(id.slot, id.generation);
 }
 
@@ -107,7 +107,7 @@ std::span<const glm::vec4> Wind::field() const {
 }
 
 void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
-    (void)WindControl::set_velocity(velocity_at); // the cells are set in place
+    (void)WindControl::set_velocity(velocity_at); // the cells have room
 }
 
 Diagnostics Wind::diagnostics() const {

@@ -65,7 +65,7 @@ WindReader::~WindReader() = default;
 Result<std::span<const glm::vec4>> WindReader::cells() const {
     const auto now = read_view();
     if (!now)
-        return Error{now.error()};
+        return now.failure();
     return now->field();
 }
 

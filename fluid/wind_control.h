@@ -63,7 +63,7 @@ class WINDROW_API WindControl {
     // --- Setting the air ----------------------------------------------------------------------------------------------
     /// Sets every cell from a function of its centre's world position; the second-order history starts again, and with ticks
     /// the next frame shows these cells alone, not blended with what was before. Values that are not finite are caught by the
-    /// next step. On a device the cells travel inside the next recording's command buffer; without memory for them it fails.
+    /// next step. The function may read the wind, and sees it as it was; where it throws, nothing has changed. On a device the cells travel inside the next recording's command buffer; without memory for them it fails.
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; rejects another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);

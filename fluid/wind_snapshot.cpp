@@ -373,7 +373,7 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
     return detail::where_memory_lasts([&]() -> Result<Wind> {
         const auto content = detail::unseal(bytes, k_format);
         if (!content)
-            return Error{content.error()};
+            return content.failure();
         const auto rejected = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
         detail::Reader reader(*content);
         Config config;

@@ -60,7 +60,7 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use,
     const Properties properties = properties_of(use);
     auto piece = device.memory().allocate(requirements, properties.wanted, properties.preferred, true);
     if (!piece)
-        return Error{what + ": " + piece.error()};
+        return piece.failure().after(what + ": ");
     buffer.piece_ = OwnedPiece(device.memory(), *piece);
     if (device.memory().measuring())
         return buffer;

@@ -76,7 +76,7 @@ void check_queues(const Host& host, const Functions& functions, detail::Reasons&
 Result<std::unique_ptr<Device>> Device::create(const Host& host) {
     auto functions = load_functions(host);
     if (!functions)
-        return Error{functions.error()};
+        return functions.failure();
     return create(host, *functions);
 }
 

@@ -13,20 +13,25 @@ void note_missing(std::string& missing, const char* name) {
     missing += name;
 }
 
-const char* fix_of(VkResult result) {
+struct Fix {
+    Fault fault;
+    const char* what;
+};
+
+Fix fix_of(VkResult result) {
     switch (result) {
     case VK_ERROR_OUT_OF_HOST_MEMORY:
-        return "free host memory or use a smaller box.";
+        return {Fault::out_of_memory, "free host memory or use a smaller box."};
     case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     case VK_ERROR_OUT_OF_POOL_MEMORY:
     case VK_ERROR_FRAGMENTED_POOL:
-        return "free device memory or use a smaller box.";
+        return {Fault::out_of_memory, "free device memory or use a smaller box."};
     case VK_ERROR_TOO_MANY_OBJECTS:
-        return "free device memory, or allocate fewer and larger blocks.";
+        return {Fault::out_of_memory, "free device memory, or allocate fewer and larger blocks."};
     case VK_ERROR_DEVICE_LOST:
-        return "make the device again, or go on with the CPU.";
+        return {Fault::device_lost, "make the device again, or go on with the CPU."};
     default:
-        return "update the driver, or use another device or the CPU.";
+        return {Fault::rejected, "update the driver, or use another device or the CPU."};
     }
 }
 
@@ -100,7 +105,8 @@ const char* name_of(VkResult result) {
 }
 
 Error call_error(std::string_view function, std::string_view what, VkResult result) {
-    return {detail::message(function, " for ", what, " returned ", name_of(result), ": ", fix_of(result))};
+    const Fix fix = fix_of(result);
+    return {detail::message(function, " for ", what, " returned ", name_of(result), ": ", fix.what), fix.fault};
 }
 
 } // namespace windrow::vulkan

@@ -70,11 +70,11 @@ Result<Image3D> Image3D::create(Device& device, VkExtent3D extent, VkFormat form
     const std::string what = detail::message("a 3D image of ", extent.width, " x ", extent.height, " x ", extent.depth,
                                              " texels of VkFormat ", static_cast<int>(format));
     if (auto checked = check_image(device, extent, format, what); !checked)
-        return Error{checked.error()};
+        return checked.failure();
     const bool exports = exported != VkExternalMemoryHandleTypeFlagBits{};
     if (exports)
         if (auto checked = check_export(device, format, exported, what); !checked)
-            return Error{checked.error()};
+            return checked.failure();
 
     const Functions& functions = device.functions();
     const Host& host = device.host();
@@ -104,7 +104,7 @@ Result<Image3D> Image3D::create(Device& device, VkExtent3D extent, VkFormat form
     auto piece = exports ? device.memory().allocate_exported(requirements, image.handle(), exported)
                          : device.memory().allocate(requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
     if (!piece)
-        return Error{what + ": " + piece.error()};
+        return piece.failure().after(what + ": ");
     if (device.memory().measuring())
         return image;
     image.piece_ = OwnedPiece(device.memory(), *piece);

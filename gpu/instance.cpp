@@ -36,9 +36,9 @@ Result<std::unique_ptr<Instance>> Instance::create(const Checks& checks, std::fu
     instance->on_message_ = std::move(on_message);
     instance->get_instance_proc_addr_ = calls;
     if (auto opened = instance->open_loader(); !opened)
-        return Error{opened.error()};
+        return opened.failure();
     if (auto made = instance->make(checks); !made)
-        return Error{made.error()};
+        return made.failure();
     return instance;
 }
 
@@ -62,7 +62,7 @@ Result<void> Instance::open_loader() {
         return {};
     auto opened = Loader::open();
     if (!opened)
-        return Error{opened.error()};
+        return opened.failure();
     loader_ = *std::move(opened);
     get_instance_proc_addr_ = loader_.get_instance_proc_addr();
     return {};

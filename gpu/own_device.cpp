@@ -314,24 +314,24 @@ Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     auto instance = Instance::create({.validation = validation, .gpu_validation = settings.gpu_validation}, settings.on_message,
                                      settings.get_instance_proc_addr);
     if (!instance)
-        return Error{instance.error()};
+        return instance.failure();
     state->instance = *std::move(instance);
     auto found = find_devices(*state->instance);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     auto chosen = choose(*found, settings.device);
     if (!chosen)
-        return Error{chosen.error()};
+        return chosen.failure();
     state->chosen = *std::move(chosen);
     auto family = choose_family(*state->instance, state->chosen, settings.queue, settings.queue_without);
     if (!family)
-        return Error{family.error()};
+        return family.failure();
     state->family = *family;
     state->compute = {.family = *family};
     if (settings.compute_queue)
         state->compute = compute_place(*state->instance, state->chosen, *family);
     if (auto made = state->make_device(settings); !made)
-        return Error{made.error()};
+        return made.failure();
     state->functions.vkGetDeviceQueue(state->device, state->family, 0, &state->queue);
     state->functions.vkGetDeviceQueue(state->device, state->compute.family, state->compute.index, &state->compute_queue);
     return std::unique_ptr<OwnDevice>(new OwnDevice(std::move(state)));
@@ -430,10 +430,10 @@ Result<void> OwnDevice::wait() {
 Result<std::vector<DeviceFacts>> list_devices() {
     auto instance = Instance::create({}, {});
     if (!instance)
-        return Error{instance.error()};
+        return instance.failure();
     auto found = find_devices(**instance);
     if (!found)
-        return Error{found.error()};
+        return found.failure();
     std::vector<DeviceFacts> facts;
     for (const FoundDevice& device : *found)
         facts.push_back(device.facts);

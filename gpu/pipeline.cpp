@@ -48,7 +48,7 @@ Result<PipelineLayout> PipelineLayout::create(Device& device, std::span<const Vk
                                               const VkPushConstantRange& push, const std::string& what) {
     assert(push.size % 4 == 0);
     if (auto checked = check_layout(device, bindings, push.size, what); !checked)
-        return Error{checked.error()};
+        return checked.failure();
     const Functions& functions = device.functions();
     const Host& host = device.host();
     PipelineLayout made;
@@ -86,7 +86,7 @@ Result<Pipeline> Pipeline::create(Device& device, const Description& description
     auto layout = PipelineLayout::create(device, bindings_of(description.bindings, VK_SHADER_STAGE_COMPUTE_BIT),
                                          {VK_SHADER_STAGE_COMPUTE_BIT, 0, description.push_bytes}, what_of(description));
     if (!layout)
-        return Error{layout.error()};
+        return layout.failure();
     return create(device, *std::move(layout), description);
 }
 

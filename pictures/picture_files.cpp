@@ -47,7 +47,7 @@ Result<Bytes> encode(const char* format, const OIIO::ImageSpec& spec, OIIO::Type
 
 Result<void> publish(const Result<Bytes>& bytes, const std::filesystem::path& file) {
     if (!bytes)
-        return Error{bytes.error()};
+        return bytes.failure();
     return detail::write_file("picture", file, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
@@ -60,7 +60,7 @@ OIIO::ImageBuf wrap(const Picture8& picture) {
 
 Result<Bytes> encode_png(const Picture8& picture, const PngWords& words, PngRows rows, const std::filesystem::path& file) {
     if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     OIIO::ImageSpec spec = spec_of(picture);
     if (rows == PngRows::plain) {
         spec.attribute("png:filter", 0x08); // PNG_FILTER_NONE
@@ -116,7 +116,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     detail::InputBudget budget;
     const auto bytes = detail::read_input(file, {.max_bytes = k_max_file_bytes}, budget);
     if (!bytes)
-        return Error{message("picture ", bytes.error())};
+        return bytes.failure().after(message("picture "));
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());
     const auto input = OIIO::ImageInput::open(name, nullptr, &memory);
     if (!input)

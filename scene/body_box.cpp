@@ -21,11 +21,11 @@ Result<BodyBox> box_of_obj(const std::filesystem::path& file, const MeshLoad& lo
                            detail::InputBudget& budget) {
     const auto bytes = detail::read_input(file, {.folder = folder, .max_bytes = k_max_mesh_bytes}, budget);
     if (!bytes)
-        return Error{bytes.error()};
+        return bytes.failure();
     return detail::where_memory_lasts([&]() -> Result<BodyBox> {
         const auto obj = read_obj(*bytes, file.string(), {k_max_mesh_vertices, k_max_mesh_triangles});
         if (!obj)
-            return Error{obj.error()};
+            return obj.failure();
         const MeshTurn turn(load);
         BodyBox turned{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
         for (const ObjPart& part : obj->parts)

@@ -65,7 +65,7 @@ Heights from_file(JsonObject& object, const GroundSource& ground, const std::fil
     detail::InputBudget& budget = object.log().budget();
     const auto bytes = detail::read_input(file, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     const auto picture =
-        bytes ? read_height_file(*bytes, name, order, true, object.log()) : Result<HeightPicture>(Error{bytes.error()});
+        bytes ? read_height_file(*bytes, name, order, true, object.log()) : Result<HeightPicture>(bytes.failure());
     if (!picture) {
         object.reject("heights", named + ": " + picture.error());
         return nullptr;

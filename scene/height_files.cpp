@@ -32,7 +32,7 @@ std::string place_of(std::size_t pixel, int width) {
 Result<HeightPicture> parse_pgm(std::string_view bytes, const std::string& name) {
     const auto picture = detail::read_pgm(bytes, name, k_max_pixels);
     if (!picture)
-        return Error{picture.error()};
+        return picture.failure();
     HeightPicture heights{.data = {.corners = picture->size, .spacing = 1.0f}, .unit = static_cast<double>(picture->white)};
     heights.data.heights.reserve(picture->pixels());
     for (std::size_t n = 0; n < picture->pixels(); ++n)
@@ -270,7 +270,7 @@ Result<HeightPicture> read_height_file(std::string_view bytes, const std::string
         if (!picture->pixel)
             picture->pixel = tags.pixel;
         if (auto filled = fill(*picture, name, log); !filled)
-            return Error{filled.error()};
+            return filled.failure();
         report_pixel(*picture, name, scaled, log);
         return picture;
     });

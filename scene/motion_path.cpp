@@ -109,7 +109,7 @@ Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name
         }
         const auto point = read_point(fields);
         if (!point)
-            return Error{message(name, ":", line_number, ": ", point.error())};
+            return point.failure().after(message(name, ":", line_number, ": "));
         if (!points.empty() && !(point->time > points.back().time))
             return Error{message(name, ":", line_number, ": t is ", point->time, " s after ", points.back().time,
                                  " s: times must increase from line to line.")};
@@ -127,11 +127,11 @@ Result<MotionPath> read_path_csv(const std::filesystem::path& file, const std::f
                                  detail::InputBudget& budget) {
     const auto text = read_text_file(file, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!text)
-        return Error{text.error()};
+        return text.failure();
     auto path = parse_path_csv(*text, file.string());
     if (path)
         if (auto taken = budget.take_points(file.string(), path->points().size()); !taken)
-            return Error{taken.error()};
+            return taken.failure();
     return path;
 }
 

@@ -189,7 +189,7 @@ std::vector<std::byte> SceneAir::save() const {
 Result<void> SceneAir::load(std::span<const std::byte> bytes) {
     const auto content = detail::unseal(bytes, k_format);
     if (!content)
-        return Error{content.error()};
+        return content.failure();
     detail::Reader reader(*content);
     std::uint32_t motors = 0, obstacles = 0, wakes = 0;
     reader(motors, obstacles, wakes);
@@ -213,7 +213,7 @@ Error SceneAir::rejection(const char* key, double time, const std::string& why) 
 Result<void> SceneAir::place_motors(Motors& motors, double end) {
     for (std::size_t i = 0; i < scene_->motors.size(); ++i)
         if (const auto placed = place_motor(motors, scene_->motors[i], state_.motors[i], end); !placed)
-            return Error{message(scene_->file.string(), ": $.motors[", i, "]: ", placed.error())};
+            return placed.failure().after(message(scene_->file.string(), ": $.motors[", i, "]: "));
     return {};
 }
 
@@ -224,7 +224,7 @@ Result<void> SceneAir::place_motor(Motors& motors, const SceneMotor& motor, Move
         // A wake begins its path at the body's place at the tick's start, then moves like any other motor.
         const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
         if (!added)
-            return Error{added.error()};
+            return added.failure();
         part = {.id = *added, .begun = true, .since = start};
     }
     if (motors.find(part.id) == nullptr)
@@ -237,7 +237,7 @@ Result<void> SceneAir::place_motor(Motors& motors, const SceneMotor& motor, Move
 Result<void> SceneAir::place_obstacles(Obstacles& obstacles, double end) {
     for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
         if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], state_.obstacles[i], end); !placed)
-            return Error{message(scene_->file.string(), ": $.obstacles[", i, "]: ", placed.error())};
+            return placed.failure().after(message(scene_->file.string(), ": $.obstacles[", i, "]: "));
     return {};
 }
 
@@ -249,7 +249,7 @@ Result<void> SceneAir::place_obstacle(Obstacles& obstacles, const SceneObstacle&
     if (id == ObstacleId{}) {
         const auto added = obstacles.add(obstacle_at(body, start));
         if (!added)
-            return Error{added.error()};
+            return added.failure();
         id = *added;
     }
     if (!body.moves())
@@ -271,11 +271,11 @@ Result<void> SceneAir::place_wakes(Motors& motors, double end) {
             wake.position = body.middle_at(path, state_.time);
             const auto added = motors.add(wake);
             if (!added)
-                return Error{message(scene_->file.string(), ": ", body.key, ", its wake: ", added.error())};
+                return added.failure().after(message(scene_->file.string(), ": ", body.key, ", its wake: "));
             id = *added;
         }
         if (auto moved = motors.move(id, body.middle_at(path, end)); !moved)
-            return Error{message(scene_->file.string(), ": ", body.key, ", its wake: ", moved.error())};
+            return moved.failure().after(message(scene_->file.string(), ": ", body.key, ", its wake: "));
     }
     return {};
 }

@@ -155,7 +155,7 @@ Result<Scene> read_whole(std::string_view text, const std::filesystem::path& fil
                          std::vector<KnownKey>* known, const FileReaders& readers) {
     const auto document = parse_json(text, file.string());
     if (!document)
-        return Error{document.error()};
+        return document.failure();
     auto scene = read_scene_json(*document, file, budget, known, readers.heights);
     if (!scene || !document->contains("picture"))
         return scene;
@@ -177,7 +177,7 @@ Result<Scene> read_whole(std::string_view text, const std::filesystem::path& fil
 Result<Scene> read_scene(const std::filesystem::path& file, const FileReaders& readers) {
     detail::InputBudget budget;
     const auto text = read_text_file(file, {.max_bytes = k_max_scene_bytes}, budget);
-    return text ? read_whole(*text, file, budget, nullptr, readers) : Error{text.error()};
+    return text ? read_whole(*text, file, budget, nullptr, readers) : text.failure();
 }
 
 Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file, std::vector<KnownKey>* known) {

@@ -21,7 +21,7 @@ Result<MeshData> parse_obj(std::string_view bytes, const std::string& name) {
         const auto obj =
             read_obj(bytes, name, {.vertices = 3 * TriangleMesh::k_max_triangles, .triangles = TriangleMesh::k_max_triangles});
         if (!obj)
-            return Error{obj.error()};
+            return obj.failure();
         return mesh_of_obj(*obj);
     });
 }
@@ -54,15 +54,15 @@ void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, File
         const std::string name = file->string();
         const auto bytes = detail::read_input(*file, {.folder = folder_, .max_bytes = k_max_bytes}, object.log().budget());
         if (!bytes)
-            return Error{bytes.error()};
+            return bytes.failure();
         auto data = parse(*bytes, name, object.log());
         if (!data)
-            return Error{data.error()};
+            return data.failure();
         auto kind = Kind::create(*std::move(data));
         if (!kind)
-            return Error{message(name, ": ", kind.error())};
+            return kind.failure().after(message(name, ": "));
         if (auto taken = object.log().budget().take_memory(name, (*kind)->memory_bytes()); !taken)
-            return Error{taken.error()};
+            return taken.failure();
         return kind;
     }();
     if (made)
@@ -86,7 +86,7 @@ void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const 
          [&](std::string_view bytes, const std::string& name, ReadLog& log) -> Result<HeightData> {
              auto picture = read_height_file(bytes, name, order, scaled, log);
              if (!picture)
-                 return Error{picture.error()};
+                 return picture.failure();
              return std::move(picture->data);
          });
 }

@@ -43,15 +43,16 @@ windrow_result fail(windrow_result result, std::string_view sentence) noexcept {
 }
 
 windrow_result fail(const Error& error) noexcept {
-    const std::string_view sentence = error.message;
-    const auto has = [&](std::string_view words) { return sentence.find(words) != std::string_view::npos; };
-    windrow_result result = WINDROW_REJECTED;
-    if (sentence.starts_with(Error::k_out_of_memory) || has("VK_ERROR_OUT_OF_HOST_MEMORY") ||
-        has("VK_ERROR_OUT_OF_DEVICE_MEMORY"))
-        result = WINDROW_OUT_OF_MEMORY;
-    else if (has("VK_ERROR_DEVICE_LOST"))
-        result = WINDROW_DEVICE_LOST;
-    return fail(result, sentence);
+    switch (error.fault) {
+    case Fault::out_of_memory:
+        return fail(WINDROW_OUT_OF_MEMORY, error.message);
+    case Fault::device_lost:
+        return fail(WINDROW_DEVICE_LOST, error.message);
+    case Fault::rejected:
+        break;
+    }
+    const bool lost = error.message == Error::k_out_of_memory; // the sentence itself found no memory
+    return fail(lost ? WINDROW_OUT_OF_MEMORY : WINDROW_REJECTED, error.message);
 }
 
 windrow_result fail_null(const char* argument) noexcept {

@@ -233,10 +233,11 @@ template <class C>
 }
 
 // --- Versioned structs -------------------------------------------------------------------------------------------------
-/// False with a reason where the size of a struct that the host fills cannot be right.
+/// False with a reason where the size of a struct that the host fills cannot be right. That of an older header's is a multiple of its
+/// alignment: any other would cut a pointer in two.
 template <Versioned C>
 [[nodiscard]] bool has_size(Reasons& reasons, const Path& path, const C* from) {
-    if (from->struct_size >= 2 * sizeof(std::uint32_t))
+    if (from->struct_size >= 2 * sizeof(std::uint32_t) && (from->struct_size > sizeof(C) || from->struct_size % alignof(C) == 0))
         return true;
     reasons.add(path, " has struct_size ", from->struct_size, ": call ", Fields<C>::k_name, "_init(&it, sizeof it) first.");
     return false;

@@ -18,7 +18,6 @@ namespace windrow::c_api {
 
 /// Keeps the sentence for windrow_last_error, gives it to the logger, and returns `result`.
 windrow_result fail(windrow_result result, std::string_view sentence) noexcept;
-/// The class of an error is by its sentence.
 windrow_result fail(const Error& error) noexcept;
 windrow_result fail_null(const char* argument) noexcept;
 windrow_result fail_unsupported(const char* part) noexcept;
@@ -27,7 +26,7 @@ void warn(const char* sentence) noexcept;
 /// What a call into the library came to.
 template <class T>
 [[nodiscard]] windrow_result done(const Result<T>& result) noexcept {
-    return result ? windrow_result{WINDROW_OK} : fail(Error(std::string_view(result.error())));
+    return result ? windrow_result{WINDROW_OK} : fail(result.failure());
 }
 [[nodiscard]] inline windrow_result done(windrow_result result) noexcept {
     return result;

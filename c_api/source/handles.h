@@ -53,6 +53,7 @@ struct windrow_wind {
     windrow::Wind* cpu = nullptr; ///< null: on a device
     int motors_lost = 0;          ///< of which the host was warned
     int filling_obstacles = 0;    ///< the same
+    mutable bool limit = false;   ///< the host was warned that Sampling::limit cuts the wind
 
     /// What the pointers of windrow_wind_config point to.
     struct ConfigStore {

@@ -50,6 +50,9 @@ void read_rest(Reasons& reasons, const Path& path, const windrow_config& from, C
     else
         to.follow_axes = glm::bvec3(from.follow_axes & WINDROW_FOLLOW_X, from.follow_axes & WINDROW_FOLLOW_Y,
                                     from.follow_axes & WINDROW_FOLLOW_Z);
+    to.relaxation_time.reset();
+    if (from.relaxation_time != -1.0f)
+        to.relaxation_time = from.relaxation_time;
     if (from.stages > static_cast<std::uint32_t>(WINDROW_STAGE_ALL))
         reasons.add(path, ".stages is ", from.stages, ": give bits of WINDROW_STAGE_*.");
     for (std::size_t n = 0; n < k_stages.size(); ++n)
@@ -61,6 +64,7 @@ void write_rest(Writing, const Config& from, windrow_config& to) {
     if (from.follow_axes)
         to.follow_axes = (from.follow_axes->x ? WINDROW_FOLLOW_X : 0) | (from.follow_axes->y ? WINDROW_FOLLOW_Y : 0) |
                          (from.follow_axes->z ? WINDROW_FOLLOW_Z : 0);
+    to.relaxation_time = from.relaxation_time.value_or(-1.0f);
     to.stages = 0;
     for (std::size_t n = 0; n < k_stages.size(); ++n)
         to.stages |= from.stages.*k_stages[n] ? 1u << n : 0u;

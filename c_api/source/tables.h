@@ -15,9 +15,9 @@ WINDROW_C_STRUCT(windrow_gusts, Gusts, intensity, length, seed, tile);
 WINDROW_C_STRUCT(windrow_canopy, Canopy, height, drag);
 WINDROW_C_STRUCT(windrow_roughness, Roughness, length, longest_mixing, map);
 WINDROW_C_STRUCT_BUT(1, windrow_rows, Rows, first, uniform, ratio, top);
-WINDROW_C_STRUCT_BUT(3, windrow_config, Config, cells, cell_size, boundaries, centre, floor, ambient, profile, gusts, canopy,
-                     roughness, rows, blend_width, viscosity, relaxation_time, sleep_speed, jump_speed, scheme, interpolation,
-                     max_cfl, max_substeps, pressure_solves, simd, parallel_for);
+WINDROW_C_STRUCT_BUT(4, windrow_config, Config, cells, cell_size, boundaries, centre, floor, ambient, profile, gusts, canopy,
+                     roughness, rows, blend_width, viscosity, sleep_speed, jump_speed, scheme, interpolation, max_cfl,
+                     max_substeps, pressure_solves, simd, parallel_for);
 // ambient.h
 WINDROW_C_STRUCT(windrow_sampling, Sampling, strength, limit, detail, detail_length);
 WINDROW_C_STRUCT(windrow_ambient_settings, AmbientWind::Settings, mean, profile, gusts, ground);

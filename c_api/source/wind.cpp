@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 using namespace windrow;
@@ -20,6 +21,8 @@ void windrow::c_api::warn_of(windrow_wind& wind, const Diagnostics& report) {
     if (report.motors_lost > wind.motors_lost) [[unlikely]]
         warn("a motor acts on no air where it is: it is under the ground or far outside of the box; move it or the floor.");
     wind.motors_lost = report.motors_lost;
+    if (report.out_of_memory && report.stepped) [[unlikely]]
+        warn("out of memory for the obstacles on the device: the step ran without them; free some, and they come back.");
     if (report.filling_obstacles > wind.filling_obstacles) [[unlikely]]
         warn("an obstacle fills more than half of the box, so that little wind is left: are its lengths metres?");
     wind.filling_obstacles = report.filling_obstacles;
@@ -138,6 +141,14 @@ windrow_result check_query(const windrow_query& query) {
     if (query.velocity_stride != 0 && query.velocity_stride < 3 * sizeof(float))
         reasons.add("query.velocity_stride is ", query.velocity_stride, " bytes: give 0, or at least 12.");
     return reasons.empty() ? windrow_result{WINDROW_OK} : fail(WINDROW_REJECTED, reasons.take());
+}
+
+/// Once a wind: what acts on plants is no more than the limit, though the mean wind itself is above it.
+void warn_of_limit(const windrow_wind& wind, const Sampling& sampling) {
+    if (wind.limit || glm::length(wind.control->ambient()) * sampling.strength <= sampling.limit) [[likely]]
+        return;
+    wind.limit = true;
+    warn("sampling.limit is below the mean wind, so that plants feel no more than it: are the wind's lengths metres?");
 }
 
 } // namespace
@@ -349,6 +360,7 @@ WINDROW_EXPORT windrow_result windrow_wind_felt(const windrow_wind* wind, windro
                                                 const windrow_sampling* sampling, windrow_vec3* velocity) {
     return call({{wind, "wind"}, {velocity, "velocity"}}, [&] {
         return with_sampling(sampling, [&](const Sampling& wanted) {
+            warn_of_limit(*wind, wanted);
             return with_view(wind, WINDROW_FRAME_NOW, [&](const WindView& view) -> Result<void> {
                 *velocity = to_c(view.felt(to_cpp(position), wanted));
                 return {};
@@ -367,7 +379,10 @@ WINDROW_EXPORT windrow_result windrow_wind_sample(const windrow_wind* wind, cons
         return with_view(wind, asked.frame, [&](const WindView& view) -> windrow_result {
             if (asked.sampling == nullptr)
                 return done(sample(view, asked, nullptr));
-            return with(asked.sampling, [&](const Sampling& felt) { return sample(view, asked, &felt); });
+            return with(asked.sampling, [&](const Sampling& felt) {
+                warn_of_limit(*wind, felt);
+                return sample(view, asked, &felt);
+            });
         });
     });
 }
@@ -430,6 +445,7 @@ WINDROW_EXPORT windrow_result windrow_wind_frame_block(const windrow_wind* wind,
                                                        const windrow_sampling* sampling, windrow_frame_block* block) {
     return call({{wind, "wind"}, {block, "block"}}, [&] {
         return with_sampling(sampling, [&](const Sampling& wanted) -> Result<void> {
+            warn_of_limit(*wind, wanted);
             copy_block(wind->reader->frame_block(to_cpp(anchor), wanted), block);
             return {};
         });

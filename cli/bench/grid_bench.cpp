@@ -193,7 +193,7 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
                            : std::nullopt;
         auto made = BackendWind::create(config, backend, BackendClock::on);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         BackendWind& wind = **made;
         if (!build(place_of(wind)))
             return Error{detail::message("the scene ", name, " has no room for its obstacles: give a larger grid.")};
@@ -251,7 +251,7 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
         const int loops = count_loops(config, flow);
         auto wind = BackendWind::create(config);
         if (!wind)
-            return Error{wind.error()};
+            return wind.failure();
         auto contestant = std::make_unique<WindContestant>(*std::move(wind), flow);
         const std::size_t number = contest.add(contestant->contestant());
         own.push_back({name, loops, std::move(contestant), number});
@@ -281,7 +281,7 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
 
     auto work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd, .parallel_for = loop});
     if (!work)
-        return Error{work.error()};
+        return work.failure();
     std::vector<float> rhs(box.cell_count());
     divergence(*work, flow, rhs);
     reference::Jacobi jacobi(cells, request.simd);
@@ -293,7 +293,7 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
 #if WINDROW_CASES_FFTW
     auto serial_work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd});
     if (!serial_work)
-        return Error{serial_work.error()};
+        return serial_work.failure();
     DirectContestant serial(std::move(*serial_work), rhs);
     const std::size_t serial_number = contest.add(serial.contestant());
     reference::FftwProjection fftw(cells, box.cell_size);
@@ -356,7 +356,7 @@ Result<std::optional<VolumesResult>> measure_volumes(const VolumesRequest& reque
             return std::optional<VolumesResult>();
         auto wind = BackendWind::create(config);
         if (!wind)
-            return Error{wind.error()};
+            return wind.failure();
         bytes = (*wind)->reader().memory_bytes();
         winds.emplace_back(*std::move(wind), flow);
     }

@@ -23,7 +23,7 @@ Result<CopyRounds> CopyRounds::create(Device& device, VkDeviceSize bytes) {
         const bool nothing = buffer == &made.nothing_;
         auto one = Buffer::create(device, nothing ? sizeof(VkDispatchIndirectCommand) : bytes / 2, MemoryUse::device);
         if (!one)
-            return Error{one.error()};
+            return one.failure();
         *buffer = *std::move(one);
     }
     const std::vector<VkDescriptorType> kinds(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -33,14 +33,14 @@ Result<CopyRounds> CopyRounds::create(Device& device, VkDeviceSize bytes) {
                                               .push_bytes = 2 * sizeof(std::uint32_t),
                                               .name = "copy_rounds"});
     if (!pipeline)
-        return Error{pipeline.error()};
+        return pipeline.failure();
     made.pipeline_ = *std::move(pipeline);
     const Sets::Content content{&made.pipeline_,
                                 {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = made.from_.handle()},
                                  {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = made.to_.handle()}}};
     auto sets = Sets::create(device, {&content, 1});
     if (!sets)
-        return Error{sets.error()};
+        return sets.failure();
     made.sets_ = *std::move(sets);
     return made;
 }

@@ -25,13 +25,13 @@ Result<void> measure_commands(SectionRun& run, vulkan::Device& device, double se
     constexpr VkDeviceSize k_piece = 4096;
     auto made = CopyRounds::create(device, 2 * k_repeats * k_piece);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     const CopyRounds& pass = *made;
     if (auto filled = run.own.run([&](VkCommandBuffer commands) { pass.fill(commands); }); !filled)
         return filled;
     auto contest = DeviceContest::create(run.own, device);
     if (!contest)
-        return Error{contest.error()};
+        return contest.failure();
     using Once = std::function<void(VkCommandBuffer, int n)>;
     struct Command {
         const char* what;
@@ -68,7 +68,7 @@ Result<void> measure_commands(SectionRun& run, vulkan::Device& device, double se
     const auto held =
         contest->hold({.seconds = seconds, .warm_seconds = k_warm_fraction * seconds}, [&] { return run.clock.stopped(); });
     if (!held)
-        return Error{held.error()};
+        return held.failure();
     if (*held == DeviceContest::End::stopped)
         return {};
     ReportJson& rows = run.json["commands"];
@@ -114,7 +114,7 @@ Result<void> measure_bandwidth(SectionRun& run, vulkan::Device& device, double s
             return filled;
         auto contest = DeviceContest::create(run.own, device);
         if (!contest)
-            return Error{contest.error()};
+            return contest.failure();
         const VkDeviceSize moved = std::max(least, bytes / 2);
         const CopyRounds& pass = *made;
         contest->add(contestant([&pass, moved](VkCommandBuffer commands) {
@@ -125,7 +125,7 @@ Result<void> measure_bandwidth(SectionRun& run, vulkan::Device& device, double s
         const auto held = contest->hold({.seconds = seconds_each, .warm_seconds = k_warm_fraction * seconds_each},
                                         [&] { return run.clock.stopped(); });
         if (!held)
-            return Error{held.error()};
+            return held.failure();
         if (*held == DeviceContest::End::stopped)
             return {};
         const DeviceSpread us = contest->microseconds(0);
@@ -142,7 +142,7 @@ Result<void> measure_bandwidth(SectionRun& run, vulkan::Device& device, double s
 Result<void> report_costs(SectionRun& run) {
     auto device = vulkan::Device::create(run.own.host());
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     const double seconds = run.clock.budget();
     if (auto measured = measure_commands(run, **device, 0.25 * seconds); !measured)
         return measured;

@@ -50,7 +50,7 @@ Result<WindBindings> WindBindings::create(Device& device, const Boundaries& boun
     WindBindings made;
     auto block = Buffer::create(device, sizeof(FrameBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     if (!block)
-        return Error{block.error()};
+        return block.failure();
     made.block_ = *std::move(block);
     const VkSamplerCreateInfo info = sampler_info(boundaries);
     if (const VkResult result = make(device.functions(), device.host(), device.functions().vkCreateSampler, info, made.sampler_);
@@ -92,7 +92,7 @@ Result<std::unique_ptr<DrawHost>> DrawHost::create(OwnDevice& own, Device& devic
         return Error{detail::message("the driver lacks ", missing, ": update it.")};
     auto layout = PipelineLayout::create(device, bindings_of(kinds, VK_SHADER_STAGE_ALL_GRAPHICS), {}, k_what);
     if (!layout)
-        return Error{layout.error()};
+        return layout.failure();
     made->layout_ = *std::move(layout);
     return made;
 }
@@ -110,7 +110,7 @@ Result<void> DrawHost::bind(std::vector<Binding> bindings) {
     const Sets::Content content{&layout_, std::move(bindings)};
     auto sets = Sets::create(device_, {&content, 1});
     if (!sets)
-        return Error{sets.error()};
+        return sets.failure();
     sets_ = *std::move(sets);
     return {};
 }
@@ -135,7 +135,7 @@ Result<DrawHost::Attachment> DrawHost::attachment(VkExtent2D extent, VkFormat fo
     call.vkGetImageMemoryRequirements(host.device, made.image.get(), &needs);
     auto piece = device_.memory().allocate(needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
     if (!piece)
-        return Error{piece.error()};
+        return piece.failure();
     made.piece = OwnedPiece(device_.memory(), *piece);
     if (const VkResult result = call.vkBindImageMemory(host.device, made.image.get(), piece->memory, piece->offset);
         result != VK_SUCCESS)
@@ -161,7 +161,7 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
                          bool kept) -> Result<VkImage> {
         auto made = attachment(extent, format, each, usage);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         VkAttachmentDescription one{};
         one.format = format;
         one.samples = each;
@@ -185,10 +185,10 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
         auto depth = colour ? add(k_depth, samples, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, depth_layout, true, false)
                             : std::move(colour);
         if (!depth)
-            return Error{depth.error()};
+            return depth.failure();
         auto picture = several ? add(k_colour, VK_SAMPLE_COUNT_1_BIT, copied, copy_layout, false, true) : std::move(colour);
         if (!picture)
-            return Error{picture.error()};
+            return picture.failure();
         target.picture = *picture;
     }
     const VkAttachmentReference colour{0, colour_layout}, depth{1, depth_layout}, resolve{2, colour_layout};
@@ -216,7 +216,7 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
     pass.dependencyCount = attached ? 2 : 0;
     pass.pDependencies = order;
     if (auto made = make("vkCreateRenderPass", calls_->vkCreateRenderPass, calls_->vkDestroyRenderPass, pass, target.pass); !made)
-        return Error{made.error()};
+        return made.failure();
     VkFramebufferCreateInfo frame{};
     frame.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
     frame.renderPass = target.pass;
@@ -228,7 +228,7 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
     if (auto made =
             make("vkCreateFramebuffer", calls_->vkCreateFramebuffer, calls_->vkDestroyFramebuffer, frame, target.framebuffer);
         !made)
-        return Error{made.error()};
+        return made.failure();
     return target;
 }
 
@@ -298,7 +298,7 @@ Result<std::vector<std::byte>> DrawHost::pixels(const Target& target) {
     const VkDeviceSize bytes = VkDeviceSize{4} * target.extent.width * target.extent.height;
     auto buffer = Buffer::create(device_, bytes, MemoryUse::readback);
     if (!buffer)
-        return Error{buffer.error()};
+        return buffer.failure();
     auto ran = own_.run([&](VkCommandBuffer commands) {
         VkBufferImageCopy region{};
         region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
@@ -313,7 +313,7 @@ Result<std::vector<std::byte>> DrawHost::pixels(const Target& target) {
                                   0, nullptr);
     });
     if (!ran)
-        return Error{ran.error()};
+        return ran.failure();
     if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
         return call_error("vkInvalidateMappedMemoryRanges", "a picture", result);
     return std::vector<std::byte>(buffer->mapped(), buffer->mapped() + bytes);

@@ -47,17 +47,17 @@ Result<std::unique_ptr<Meadow>> Meadow::create(OwnDevice& own, Device& device) {
     kinds.insert(kinds.begin(), VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
     auto host = DrawHost::create(own, device, kinds);
     if (!host)
-        return Error{host.error()};
+        return host.failure();
     const Config config = meadow_config();
     auto bindings = WindBindings::create(device, config.boundaries);
     if (!bindings)
-        return Error{bindings.error()};
+        return bindings.failure();
     auto scene = Buffer::create(device, sizeof(Scene), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     if (!scene)
-        return Error{scene.error()};
+        return scene.failure();
     auto wind = vulkan::Wind::create(own.host(), config, {.frames_in_flight = 1});
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     const auto fan = wind->motors().add(JetMotor{.position = k_fan,
                                                  .direction = k_fan_axis,
                                                  .length = 7.0f,
@@ -66,7 +66,7 @@ Result<std::unique_ptr<Meadow>> Meadow::create(OwnDevice& own, Device& device) {
                                                  .law = Drive{.speed = 12.0f, .rate = 8.0f}});
     const auto walker = wind->motors().add(WakeMotor{.position = k_chest, .radius = 0.9f, .law = WakeDrive{.per_metre = 20.0f}});
     if (!fan || !walker)
-        return Error{fan ? walker.error() : fan.error()};
+        return fan ? walker.failure() : fan.failure();
     std::unique_ptr<Meadow> made(new Meadow(own, *std::move(host), *std::move(bindings), *std::move(scene), *std::move(wind)));
     made->walker_ = *walker;
     return made;
@@ -80,7 +80,7 @@ Result<void> Meadow::blow(int steps, const std::function<bool()>& stopped) {
         Result<void> recorded;
         auto ran = own_.run([&](VkCommandBuffer commands) {
             if (const auto step = wind_.record_step(commands, {.dt = k_step}); !step)
-                recorded = Error{step.error()};
+                recorded = step.failure();
         });
         if (!ran || !recorded)
             return ran ? recorded : ran;
@@ -111,12 +111,12 @@ Result<std::vector<DrawHost::Draw>> Meadow::frame(const DrawHost::Target& target
     const auto sky =
         host_->pipeline(target, {.vertex = words::full_screen_vert, .fragment = words::meadow_backdrop_frag, .depth = false});
     if (!sky)
-        return Error{sky.error()};
+        return sky.failure();
     const auto grass = host_->pipeline(target, {.vertex = words::meadow_blade_vert,
                                                 .fragment = words::meadow_blade_frag,
                                                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP});
     if (!grass)
-        return Error{grass.error()};
+        return grass.failure();
     return std::vector<DrawHost::Draw>{{*sky, 3, 1}, {*grass, k_blade_vertices, blades}};
 }
 
@@ -124,7 +124,7 @@ Result<std::vector<DrawHost::Draw>> Meadow::vertices(const DrawHost::Target& tar
     const auto grass = host_->pipeline(
         target, {.vertex = words::meadow_blade_vert, .fragment = {}, .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP});
     if (!grass)
-        return Error{grass.error()};
+        return grass.failure();
     return std::vector<DrawHost::Draw>{{*grass, k_blade_vertices, blades}};
 }
 
@@ -132,7 +132,7 @@ Result<std::vector<DrawHost::Draw>> Meadow::slices(const DrawHost::Target& targe
     const auto slice =
         host_->pipeline(target, {.vertex = words::full_screen_vert, .fragment = words::wind_slices_frag, .depth = false});
     if (!slice)
-        return Error{slice.error()};
+        return slice.failure();
     return std::vector<DrawHost::Draw>{{*slice, 3, 1}};
 }
 

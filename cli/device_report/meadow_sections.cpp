@@ -28,13 +28,13 @@ struct Prepared {
 Result<Prepared> prepare(SectionRun& run) {
     auto device = Device::create(run.own.host());
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     auto meadow = Meadow::create(run.own, **device);
     if (!meadow)
-        return Error{meadow.error()};
+        return meadow.failure();
     const bool few = run.quick && run.own.facts().software;
     if (auto blown = (*meadow)->blow(few ? k_quick_steps : k_steps, [&] { return run.clock.stopped(); }); !blown)
-        return Error{blown.error()};
+        return blown.failure();
     return Prepared{*std::move(device), *std::move(meadow)};
 }
 
@@ -49,7 +49,7 @@ Result<std::optional<double>> measure(SectionRun& run, Prepared& scene, const Dr
                                       const std::vector<DrawHost::Draw>& draws, const char* what, double seconds) {
     auto contest = DeviceContest::create(run.own, *scene.device);
     if (!contest)
-        return Error{contest.error()};
+        return contest.failure();
     const auto draw = [&](VkCommandBuffer commands) { scene.meadow->host().record(commands, target, draws); };
     const bool software = run.own.facts().software; // whose clock rate does not change
     contest->add({.warm = [&, software](VkCommandBuffer commands) { software ? void() : draw(commands); },
@@ -57,7 +57,7 @@ Result<std::optional<double>> measure(SectionRun& run, Prepared& scene, const Dr
     const auto held = contest->hold({.seconds = seconds, .warm_seconds = software ? 0.0 : k_warm_fraction * seconds},
                                     [&] { return run.clock.stopped(); });
     if (!held)
-        return Error{held.error()};
+        return held.failure();
     if (*held == DeviceContest::End::stopped)
         return std::optional<double>();
     const DeviceSpread us = contest->microseconds(0);
@@ -75,7 +75,7 @@ Result<void> save(SectionRun& run, DrawHost& host, const DrawHost::Target& targe
         return ran;
     const auto pixels = host.pixels(target);
     if (!pixels)
-        return Error{pixels.error()};
+        return pixels.failure();
     OutputFile file(run.folder / name);
     file.write(png_of(static_cast<int>(target.extent.width), static_cast<int>(target.extent.height), *pixels));
     if (const Fault fault = file.publish())
@@ -91,12 +91,12 @@ Result<void> report_meadow(SectionRun& run) {
         return {};
     auto scene = prepare(run);
     if (!scene)
-        return Error{scene.error()};
+        return scene.failure();
     DrawHost& host = scene->meadow->host();
     const auto nothing = host.target(k_full_hd, VK_SAMPLE_COUNT_1_BIT, false),
                picture = host.target(k_full_hd, VK_SAMPLE_COUNT_1_BIT);
     if (!nothing || !picture)
-        return Error{nothing ? picture.error() : nothing.error()};
+        return nothing ? picture.failure() : nothing.failure();
     double blade_seconds = 0.0; // that a blade took before, vertices alone or drawn, the larger
     for (const std::uint32_t blades : k_blades) {
         if (auto looked = scene->meadow->look(Meadow::Eye::walking, k_full_hd, blades); !looked)
@@ -104,7 +104,7 @@ Result<void> report_meadow(SectionRun& run) {
         const auto vertices = scene->meadow->vertices(*nothing, blades);
         const auto frame = scene->meadow->frame(*picture, blades);
         if (!vertices || !frame)
-            return Error{vertices ? frame.error() : vertices.error()};
+            return vertices ? frame.failure() : vertices.failure();
         for (const bool drawn : {false, true}) {
             // A round that warms up, and one that counts. The fewest blades are drawn however little time there is.
             if (blades == k_blades[0] ? run.clock.stopped()
@@ -116,7 +116,7 @@ Result<void> report_meadow(SectionRun& run) {
             const auto took = measure(run, *scene, drawn ? *picture : *nothing, drawn ? *frame : *vertices,
                                       drawn ? k_drawn : k_vertices, 0.12 * run.clock.budget());
             if (!took)
-                return Error{took.error()};
+                return took.failure();
             if (!*took)
                 return {};
             blade_seconds = std::max(blade_seconds, **took / blades);
@@ -130,7 +130,7 @@ Result<void> report_pictures(SectionRun& run) {
         return {};
     auto scene = prepare(run);
     if (!scene)
-        return Error{scene.error()};
+        return scene.failure();
     if (run.clock.stopped())
         return {};
     Meadow& meadow = *scene->meadow;
@@ -140,10 +140,10 @@ Result<void> report_pictures(SectionRun& run) {
     const std::uint32_t blades = few ? 120'000 : 500'000;
     const auto target = host.target(extent, VK_SAMPLE_COUNT_4_BIT);
     if (!target)
-        return Error{target.error()};
+        return target.failure();
     const auto frame = meadow.frame(*target, blades), slices = meadow.slices(*target);
     if (!frame || !slices)
-        return Error{frame ? slices.error() : frame.error()};
+        return frame ? slices.failure() : frame.failure();
     struct View {
         Meadow::Eye eye;
         const char *file, *text;

@@ -213,7 +213,7 @@ class Statistics {
 Result<void> compile_samples(const vulkan::Host& host) {
     auto device = vulkan::Device::create(host);
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     std::vector<VkDescriptorType> bindings(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER); // places and winds
     for (const auto& binding : vulkan::set_bindings(vulkan::TextureSet::vectors, VK_SHADER_STAGE_COMPUTE_BIT))
         bindings.push_back(binding.descriptorType);
@@ -223,7 +223,7 @@ Result<void> compile_samples(const vulkan::Host& host) {
           {"the same shader without it", vulkan::shader_words::place_nothing}})
         if (auto made = vulkan::Pipeline::create(**device, {.code = code, .bindings = bindings, .constants = {}, .name = name});
             !made)
-            return Error{made.error()};
+            return made.failure();
     return {};
 }
 

@@ -34,7 +34,7 @@ Result<std::vector<glm::vec4>> answers_of(OwnDevice& own, Device& device, std::s
     const std::uint64_t bytes = places.size() * sizeof(glm::vec4);
     auto in = Buffer::create(device, bytes, MemoryUse::upload), out = Buffer::create(device, bytes, MemoryUse::readback);
     if (!in || !out)
-        return Error{in ? out.error() : in.error()};
+        return in ? out.failure() : in.failure();
     std::memcpy(in->mapped(), places.data(), bytes);
     (void)in->flush(); // memory for uploads is coherent
     std::vector<Binding> bindings = {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = in->handle()},
@@ -45,11 +45,11 @@ Result<std::vector<glm::vec4>> answers_of(OwnDevice& own, Device& device, std::s
         kinds.push_back(binding.type);
     auto pipeline = Pipeline::create(device, {.code = code, .bindings = kinds, .constants = {}, .name = "query"});
     if (!pipeline)
-        return Error{pipeline.error()};
+        return pipeline.failure();
     const Sets::Content content{&*pipeline, bindings};
     auto sets = Sets::create(device, {&content, 1});
     if (!sets)
-        return Error{sets.error()};
+        return sets.failure();
     auto ran = own.run([&](VkCommandBuffer commands) {
         const Functions& call = device.functions();
         pipeline->bind(call, commands, sets->at(0));
@@ -60,7 +60,7 @@ Result<std::vector<glm::vec4>> answers_of(OwnDevice& own, Device& device, std::s
                                   nullptr, 0, nullptr);
     });
     if (!ran)
-        return Error{ran.error()};
+        return ran.failure();
     if (const VkResult result = out->invalidate(); result != VK_SUCCESS)
         return call_error("vkInvalidateMappedMemoryRanges", "answers", result);
     std::vector<glm::vec4> answers(places.size());
@@ -93,9 +93,9 @@ Result<void> query_wind(SectionRun& run, Device& device, Texel texel) {
                         .gusts = {.intensity = 0.25f}};
     auto wind = vulkan::Wind::create(run.own.host(), config, {.texel = texel, .frames_in_flight = 1, .queries = ReadBack::cells});
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     if (const auto id = wind->motors().add(VortexMotor{.position = config.centre, .radius = 3.0f}); !id)
-        return Error{id.error()};
+        return id.failure();
     constexpr int k_steps = 20;
     for (int n = 0; n <= k_steps; ++n) {
         (void)wind->follow(config.centre + glm::dvec3(0.3 * n, 0.0, 0.1 * n));
@@ -103,7 +103,7 @@ Result<void> query_wind(SectionRun& run, Device& device, Texel texel) {
         // The last takes the read-back of the one before, and shows the same.
         auto ran = run.own.run([&](VkCommandBuffer commands) {
             if (const auto step = wind->record_step(commands, {.dt = n < k_steps ? 0.02 : 0.0}); !step)
-                recorded = Error{step.error()};
+                recorded = step.failure();
         });
         if (!ran || !recorded)
             return ran ? recorded : ran;
@@ -112,7 +112,7 @@ Result<void> query_wind(SectionRun& run, Device& device, Texel texel) {
     const glm::dvec3 anchor = config.centre + glm::dvec3(12.3, -4.5, 6.7);
     auto bindings = WindBindings::create(device, config.boundaries);
     if (!bindings)
-        return Error{bindings.error()};
+        return bindings.failure();
     std::vector<glm::vec4> places = places_within(0.9f * glm::vec3(config.cells));
     for (glm::vec4& place : places)
         place += glm::vec4(glm::vec3(config.centre - anchor), 0.0f);
@@ -139,7 +139,7 @@ Result<void> query_ground(SectionRun& run, Device& device, Texel texel) {
     auto cpu = windrow::GroundMemory::create(config);
     auto gpu = vulkan::GroundMemory::create(run.own.host(), config, texel);
     if (!cpu || !gpu)
-        return Error{cpu ? gpu.error() : cpu.error()};
+        return cpu ? gpu.failure() : cpu.failure();
     std::vector<GroundWalker> walkers(3);
     for (int frame = 0; frame < 60; ++frame) {
         for (std::size_t n = 0; n < walkers.size(); ++n) {
@@ -160,7 +160,7 @@ Result<void> query_ground(SectionRun& run, Device& device, Texel texel) {
     }
     auto block = Buffer::create(device, sizeof(GroundBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     if (!block)
-        return Error{block.error()};
+        return block.failure();
     const glm::dvec3 anchor = walkers[0].position;
     const GroundBlock content = gpu->block(anchor);
     std::memcpy(block->mapped(), &content, sizeof content);
@@ -178,7 +178,7 @@ Result<void> query_ground(SectionRun& run, Device& device, Texel texel) {
                                      {.type = texture, .view = gpu->texture().view, .sampler = sampler.get()},
                                      {.type = texture, .view = gpu->previous_texture().view, .sampler = sampler.get()}});
     if (!answers)
-        return Error{answers.error()};
+        return answers.failure();
     double worst = 0.0, largest = 0.0;
     for (std::size_t n = 0; n < places.size(); ++n) {
         const GroundSample wanted = cpu->at(anchor + glm::dvec3(places[n]));
@@ -199,7 +199,7 @@ Result<void> query_ground(SectionRun& run, Device& device, Texel texel) {
 Result<void> report_queries(SectionRun& run) {
     auto device = Device::create(run.own.host());
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     for (const auto query : {query_wind, query_ground})
         for (const Texel texel : {Texel::single, Texel::half}) {
             if (run.clock.stopped())

@@ -80,17 +80,17 @@ class GridTimes {
     Result<std::optional<RoundSeconds>> measure(double seconds) {
         auto lent = vulkan::Device::create(run_.own.host());
         if (!lent)
-            return Error{lent.error()};
+            return lent.failure();
         auto contest = DeviceContest::create(run_.own, **lent);
         if (!contest)
-            return Error{contest.error()};
+            return contest.failure();
         if (auto added = add_all(*contest); !added)
-            return Error{added.error()};
+            return added.failure();
         const double before = run_.clock.past();
         const auto held = contest->hold({.seconds = seconds, .warm_seconds = k_step_warm_fraction * seconds},
                                         [&] { return run_.clock.stopped(); });
         if (!held)
-            return Error{held.error()};
+            return held.failure();
         if (*held == DeviceContest::End::stopped)
             return std::optional<RoundSeconds>();
         report(*contest);
@@ -106,10 +106,10 @@ class GridTimes {
                      RecordingPlan plan, const std::vector<StoryMotor>& motors = {}) {
         auto wind = vulkan::Wind::create(run_.own.host(), config, settings);
         if (!wind)
-            return Error{wind.error()};
+            return wind.failure();
         for (const StoryMotor& one : motors)
             if (const auto id = wind->motors().add(one.motor); !id)
-                return Error{id.error()};
+                return id.failure();
         all_.push_back({.name = name, .wind = std::make_unique<WindRecordings>(*std::move(wind), std::move(plan))});
         all_.back().number = contest.add(all_.back().wind->contestant());
         return {};
@@ -337,7 +337,7 @@ Result<void> report_times(SectionRun& run) {
         const double seconds = run.clock.left() / (1.0 + k_step_warm_fraction) / static_cast<double>(grids.size() - n);
         const auto round = GridTimes(run, grids[n], *which).measure(seconds);
         if (!round)
-            return Error{round.error()};
+            return round.failure();
         if (!*round)
             return {};
         of_cell.step = std::max(of_cell.step, (*round)->step / count_of(grids[n]));

@@ -313,7 +313,7 @@ Result<void> write_png(const Image& image, const PngWords& words, const std::fil
     // the file no smaller.
     const auto bytes = pictures::encode_png(image, words, pictures::PngRows::plain, file);
     if (!bytes)
-        return Error{bytes.error()};
+        return bytes.failure();
     OutputFile output(file);
     output.write({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     if (const Fault fault = output.publish())

@@ -64,7 +64,7 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
         PngWords words;
         const auto full = read_png(frame, &words);
         if (!full)
-            return Error{full.error()};
+            return full.failure();
         const Image& whole = *full;
         const Image slices = parts ? slices_of(whole, *parts) : Image();
         const Image& shown = parts ? slices : whole;
@@ -77,7 +77,7 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
         const int height = std::max(1, static_cast<int>(std::lround(shown.height * shrink)));
         auto tile = shrink < 1.0 ? pictures::resized(shown, width, height) : Result<Image>(shown);
         if (!tile)
-            return Error{tile.error()};
+            return tile.failure();
         tile_width = std::max(tile_width, width);
         tile_height = std::max(tile_height, height);
         tiles.push_back(*std::move(tile));
@@ -111,7 +111,7 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
     }
     const auto sheet = canvas.finish();
     if (!sheet)
-        return Error{message("contact sheet ", file.string(), ": ", sheet.error())};
+        return sheet.failure().after(message("contact sheet ", file.string(), ": "));
     return write_png(*sheet, {title, count}, file);
 }
 

@@ -151,7 +151,7 @@ Result<void> draw_frame(const BackendWind& wind, double time, std::span<const Tr
                         const std::filesystem::path& file) {
     const auto image = compose_frame(air_of(wind, obstacles), time, trails, motors, settings);
     if (!image)
-        return Error{detail::message("picture ", file.string(), ": ", image.error())};
+        return image.failure().after(detail::message("picture ", file.string(), ": "));
     return write_png(*image, {printable(settings.title), time_text(time)}, file);
 }
 

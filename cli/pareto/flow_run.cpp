@@ -85,7 +85,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         if (winds.empty() || !on.is_cpu() || !backend.is_cpu()) {
             auto made = FlowWind::create(flow, cells, {.method = method, .simd = simd, .parallel_for = parallel_for}, on);
             if (!made)
-                return Error{made.error()};
+                return made.failure();
             FlowWind& wind = winds.emplace_back(*std::move(made));
             steppers.emplace_back(max_age, [&wind, dt] {
                 wind.set_method(k_default_method);
@@ -112,12 +112,12 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         const auto number = has_voxels(flow, method) ? Result<std::size_t>(enter_stam(reference::sweeps_of(method.pressure)))
                                                      : enter(method, backend);
         if (!number)
-            return Error{number.error()};
+            return number.failure();
         numbers.push_back(*number);
     }
     const auto cpu_number = backend.is_cpu() ? Result<std::size_t>(0) : enter(k_default_method, {});
     if (!cpu_number)
-        return Error{cpu_number.error()};
+        return cpu_number.failure();
     const std::size_t stam_number = enter_stam(k_sweeps);
     if (!contest.hold(seconds, stopped))
         return std::optional<GridTimes>();
@@ -154,7 +154,7 @@ Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3
             auto wind =
                 FlowWind::create(flow, cells, {.method = method, .simd = request.simd, .parallel_for = parallel_for}, backend);
             if (!wind)
-                return Error{wind.error()};
+                return wind.failure();
             for (int n = 0; n < steps; ++n)
                 wind->step(dt);
             errors[c].push_back(flow_error(wind->field(), end));
@@ -185,7 +185,7 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
     const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{}; // one thread needs no loop of a pool
     const auto truth = FlowTruth::find(flow, request.simd, loop, stopped);
     if (!truth)
-        return Error{truth.error()};
+        return truth.failure();
     if (!*truth)
         return std::optional<FlowResult>();
 
@@ -196,7 +196,7 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
     for (const glm::ivec3 cells : flow.grids) {
         auto errors = find_errors(flow, cells, methods, request, **truth, loop, backend, stopped);
         if (!errors)
-            return Error{errors.error()};
+            return errors.failure();
         if (!*errors)
             return std::optional<FlowResult>();
         for (const int count : {1, threads}) {
@@ -206,7 +206,7 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
             const auto times =
                 measure_steps(flow, cells, request.seconds, request.simd, count > 1 ? loop : ParallelFor{}, backend, stopped);
             if (!times)
-                return Error{times.error()};
+                return times.failure();
             if (!*times)
                 return std::optional<FlowResult>();
             for (std::size_t c = 0; c < request.cfls.size(); ++c)

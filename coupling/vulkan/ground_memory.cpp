@@ -60,14 +60,14 @@ GroundMemory::~GroundMemory() = default;
 
 Result<GroundMemory> GroundMemory::create(const Host& host, const GroundConfig& config, Texel texel) {
     if (auto valid = validate(config); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return windrow::detail::where_memory_lasts([&]() -> Result<GroundMemory> {
         auto device = Device::create(host);
         if (!device)
-            return Error{device.error()};
+            return device.failure();
         auto state = std::make_unique<State>(*std::move(device), config);
         if (auto made = state->make(texel); !made)
-            return Error{made.error()};
+            return made.failure();
         return GroundMemory(std::move(state));
     });
 }
@@ -84,7 +84,7 @@ Result<void> GroundMemory::State::make_memory(Texel texel) {
     for (std::size_t each = 0; each < bytes.size(); ++each) {
         auto made = Buffer::create(*device, bytes[each], MemoryUse::device);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         *buffers()[each] = *std::move(made);
         device->name(VK_OBJECT_TYPE_BUFFER, buffers()[each]->handle(), "ground");
     }
@@ -92,7 +92,7 @@ Result<void> GroundMemory::State::make_memory(Texel texel) {
     for (Image3D& image : images) {
         auto made = Image3D::create(*device, {n, n, 1}, format);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         image = *std::move(made);
         device->name(VK_OBJECT_TYPE_IMAGE, image.handle(), "ground texture");
     }
@@ -120,7 +120,7 @@ Result<void> GroundMemory::State::make(Texel texel) {
         texel == Texel::half ? std::span<const std::uint32_t>(shader_words::ground_half) : shader_words::ground_float;
     auto compute = device->pipeline({.code = code, .bindings = kinds, .constants = {}, .push_bytes = 0, .name = "ground"});
     if (!compute)
-        return Error{compute.error()};
+        return compute.failure();
     pipeline = *std::move(compute);
     std::vector<Sets::Content> contents;
     for (const Image3D& image : images) {
@@ -129,7 +129,7 @@ Result<void> GroundMemory::State::make(Texel texel) {
     }
     auto bound = Sets::create(*device, contents);
     if (!bound)
-        return Error{bound.error()};
+        return bound.failure();
     sets = *std::move(bound);
     return {};
 }
@@ -177,7 +177,7 @@ Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& st
         return Error{"GroundMemory::record got no command buffer: give one that is being recorded."};
     const auto begun = state.host.begin(step, leans);
     if (!begun)
-        return Error{begun.error()};
+        return begun.failure();
     const Functions& call = state.device->functions();
     const bool first = !std::exchange(state.recorded, true);
     state.barrier(commands, k_compute | k_transfer, k_compute | k_transfer);

@@ -80,6 +80,7 @@ struct CellStep {
     AmbientWind* ambient = nullptr;         ///< at the start of the step; the storage advances it to the end
     const Window* window = nullptr;
     CanopyRows canopy{};
+    float relaxation_time = 0.0f; ///< [s] to the ambient wind; 0: never
     bool renews_sources = false;  ///< the volume sources are not those of the last step
     bool has_source_flow = false; ///< the velocity holds a flow of theirs, after this step's change
     bool kept = false;            ///< the air of the tick before is kept
@@ -112,8 +113,8 @@ class CellStorage {
     [[nodiscard]] virtual MeasuredSpeed measured() const = 0;
     /// Why the storage cannot hold such gusts.
     [[nodiscard]] virtual Result<void> check(const Gusts&) const { return {}; }
-    /// The air's own cells, for a caller who sets all of them; empty where they are not in the host's memory.
-    [[nodiscard]] virtual std::span<glm::vec4> in_place() { return {}; }
+    /// Memory for the vectors of all cells, between two calls; empty where the storage has none in the host's memory.
+    [[nodiscard]] virtual std::span<glm::vec4> spare() { return {}; }
 };
 
 /// Both blow alike, at the same places.

@@ -59,7 +59,7 @@ template <class... Parts>
 }
 
 [[nodiscard]] inline Error out_of_memory() {
-    return Error{"out of memory: use a smaller box or fewer items, or free memory and call again."};
+    return Error{"out of memory: use a smaller box or fewer items, or free memory and call again.", Fault::out_of_memory};
 }
 
 /// Result of `call`, or an Error without memory. `call` must allocate before it changes anything.

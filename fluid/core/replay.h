@@ -61,7 +61,7 @@ struct Repeat {
     Result<void> operator()(const Stepped& event) const {
         const auto report = time.step(event.dt);
         if (!report)
-            return Error{report.error()};
+            return report.failure();
         if (report->out_of_memory)
             return out_of_memory();
         if (report->stepped)
@@ -73,7 +73,7 @@ struct Repeat {
             return Error{message("dt is ", event.dt, " s: give a finite time, 0 or more.")};
         const auto done = time.advance(event.dt);
         if (!done)
-            return Error{done.error()};
+            return done.failure();
         if (done->last.out_of_memory)
             return out_of_memory();
         return {};
@@ -86,14 +86,16 @@ struct Repeat {
     template <class Id>
     static Result<void> same_handle(const char* what, const Result<Id>& id, Id expected) {
         if (!id)
-            return Error{id.error()};
+            return id.failure();
         if (*id == expected)
             return {};
         return Error{message("the ", what, " got slot ", id->slot, " of generation ", id->generation, ", not in slot ",
                              expected.slot, " of generation ", expected.generation,
                              ", so the wind was not in the state in which the log began: load the snapshot taken there.")};
     }
-    static Error out_of_memory() { return Error{"out of memory: free some, load the snapshot and replay again."}; }
+    static Error out_of_memory() {
+        return Error{"out of memory: free some, load the snapshot and replay again.", Fault::out_of_memory};
+    }
 };
 
 inline Result<void> check_complete(const EventLog& log) {
@@ -114,7 +116,7 @@ Result<void> replay(const EventLog& log, Wind& wind, const Time& time) {
         for (std::size_t n = 0; n < count; ++n) {
             const Event event = log.events()[n];
             if (auto done = std::visit(Repeat<Wind, Time>{wind, time}, event); !done)
-                return Error{message("event ", n, " (", name_of(event), "): ", done.error())};
+                return done.failure().after(message("event ", n, " (", name_of(event), "): "));
         }
         return {};
     });

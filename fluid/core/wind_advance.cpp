@@ -203,7 +203,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     report.motors_in_reach = static_cast<int>(reached.size());
     const bool renews_sources = config.stages.projection && renew_sources(reached);
     const CanopyRows canopy = canopy_rows();
-    const Sleep::Conditions conditions{.relaxation_time = config.stages.relaxation ? config.relaxation_time : 0.0f,
+    const Sleep::Conditions conditions{.relaxation_time = relaxation_time(config, wind_meets_bodies),
                                        .sleep_speed = config.sleep_speed,
                                        .motors = report.motors_in_reach,
                                        .source_flow = source_name != 0,
@@ -219,6 +219,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                   .ambient = &ambient,
                   .window = &place.window,
                   .canopy = canopy,
+                  .relaxation_time = conditions.relaxation_time,
                   .renews_sources = renews_sources,
                   .has_source_flow = source_name != 0,
                   .kept = frames.has_value(),

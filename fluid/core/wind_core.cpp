@@ -119,7 +119,7 @@ Result<void> WindCore::set_gusts(const Gusts& gusts) {
         wanted.tile = ambient.tile();
     auto renewed = AmbientWind::create({.mean = mean_wind(), .profile = config.profile, .gusts = wanted});
     if (!renewed)
-        return Error{renewed.error()};
+        return renewed.failure();
     if (auto held = cells_.check(gusts); !held)
         return held;
     if (!has_room({.gusts = &gusts}))
@@ -195,7 +195,8 @@ Result<void> WindCore::set_floor(double height) {
 
 Result<void> WindCore::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
     std::vector<glm::vec4> own;
-    std::span<glm::vec4> cells = cells_.in_place();
+    // Not the air's own cells: the function may read the wind, or throw.
+    std::span<glm::vec4> cells = cells_.spare();
     if (cells.empty()) {
         if (!detail::memory_lasts([&] { own.resize(box().cell_count()); }))
             return detail::out_of_memory();

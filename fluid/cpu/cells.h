@@ -77,10 +77,8 @@ class Cells final : public CellStorage {
     void show(const FrameBlend& blend) override;
     void show_air() override;
     [[nodiscard]] MeasuredSpeed measured() const override { return measured_; }
-    [[nodiscard]] std::span<glm::vec4> in_place() override {
-        materialise_air(); // the gusts of now
-        sampled_.held = false;
-        return air.velocity;
+    [[nodiscard]] std::span<glm::vec4> spare() override { // a step pads them anew
+        return {reinterpret_cast<glm::vec4*>(work.state().padded_carried.data()), box().cell_count()};
     }
 
     [[nodiscard]] const Box& box() const { return work.box(); }
@@ -211,6 +209,10 @@ class Cells final : public CellStorage {
     void advance_in_place(float dt, Diagnostics& report);
     void measure(Diagnostics& report);
     [[nodiscard]] bool at_ambient() const;
+    /// What a sub-step leaves of the difference from the ambient wind.
+    [[nodiscard]] float relaxation(float dt) const {
+        return relaxation_time_ > 0.0f ? 1.0f / (1.0f + dt / relaxation_time_) : 1.0f;
+    }
 
     const WindCore& wind_;
     const Config& config_;               ///< of `wind_`
@@ -222,7 +224,8 @@ class Cells final : public CellStorage {
     AmbientField ambient_next_;          ///< within a step: at its end
     std::vector<float> profile_bends_;   ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step
-    CanopyRows canopy_;                  ///< of the step
+    CanopyRows canopy_;                  ///< of the step, as `relaxation_time_`
+    float relaxation_time_ = 0.0f;       ///< [s]
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
     std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell

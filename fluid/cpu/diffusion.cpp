@@ -101,7 +101,7 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
         diffuse_once(state, field, ratio, result);
     } else {
         if (auto room = reserve_diffusion(work); !room)
-            return Error{room.error()};
+            return room.failure();
         if (state.has_solids()) { // a component is read whole before it is written
             std::copy(field.begin(), field.end(), result.begin());
             const cpu::Stopwatch watch("windrow obstacles", state.obstacles_ms);

@@ -65,10 +65,6 @@ void for_each_cell(const Box& box, const Visit& visit) {
                 visit(n, i, j, k);
 }
 
-float relaxation(const Config& config, float dt) {
-    return config.stages.relaxation && config.relaxation_time > 0.0f ? 1.0f / (1.0f + dt / config.relaxation_time) : 1.0f;
-}
-
 } // namespace
 
 bool Cells::step(const CellStep& step, Diagnostics& report) {
@@ -76,6 +72,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     work.state().obstacles_ms = 0.0;
     sampled_.held = false;
     canopy_ = step.canopy;
+    relaxation_time_ = step.relaxation_time;
     materialise_air_alone(config_.parallel_for);
     materialise_before();
     renew_around(*step.ambient, *step.window, config_.parallel_for);
@@ -193,7 +190,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = mix(diffuse(without_prescribed(), dt, report), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
-    transport.relaxation = relaxation(config_, dt);
+    transport.relaxation = relaxation(dt);
     const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
     if (!air.fresh) {
         transport.velocity_old = air.velocity_old;
@@ -265,7 +262,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     const std::span<const glm::vec4> carried = mix(diffuse(without_prescribed(), dt, report), dt, report);
     Transport transport{
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
-    transport.relaxation = relaxation(config_, dt);
+    transport.relaxation = relaxation(dt);
     {
         OuterStopwatch watch("windrow advection", report.times_ms.advection, work.state().obstacles_ms);
         windrow::advect(work, transport, air.velocity_old);
@@ -288,7 +285,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     sources.add_force_to(air.velocity, dt, parallel_for);
     if (const auto carried = mix(diffuse(without_prescribed(), dt, report), dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
-    if (const float factor = relaxation(config_, dt); factor != 1.0f)
+    if (const float factor = relaxation(dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
             const glm::vec4 rest = rest_at(n, i, j, k);
             air.velocity[n] = rest + factor * (air.velocity[n] - rest);

@@ -28,7 +28,7 @@ Error too_long(const std::string& name, std::size_t most) {
 Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule, InputBudget& budget) {
     const std::string name = file.string();
     if (auto taken = budget.take_file(name); !taken)
-        return Error{taken.error()};
+        return taken.failure();
     OpenedFile opened(file);
     if (opened.error() != 0)
         return unreadable(name, opened.error(), rule);
@@ -42,7 +42,7 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
     if (size > rule.max_bytes)
         return too_long(name, rule.max_bytes);
     if (auto taken = budget.take_bytes(name, static_cast<std::size_t>(size)); !taken)
-        return Error{taken.error()};
+        return taken.failure();
     // Files of /proc have the size 0, and any file may grow: the end is where a read returns 0 bytes.
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(size));

@@ -2,7 +2,7 @@
 //
 //     const auto bytes = detail::read_input("walk.csv", {.folder = scene_folder, .max_bytes = 64 << 20}, budget);
 //     if (!bytes)
-//         return Error{bytes.error()};
+//         return bytes.failure();
 //
 // A scene may come from somebody else. It must not hang on a pipe, read a device without an end, or read outside of its folder.
 #pragma once

@@ -48,13 +48,13 @@ HeightMap::HeightMap(HeightData data) : data_(std::move(data)), hash_(detail::co
 Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing, std::vector<float> heights) {
     HeightData data{corners, spacing, std::move(heights)};
     if (auto checked = check(data); !checked)
-        return Error{checked.error()};
+        return checked.failure();
     return HeightMap(std::move(data));
 }
 
 Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing, const std::function<float(glm::vec2 place)>& height) {
     if (auto fits = check_grid(corners, spacing); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     std::vector<float> heights;
     heights.reserve(count_of(corners));
     for (int z = 0; z < corners.y; ++z)
@@ -66,7 +66,7 @@ Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing, const std
 Result<std::shared_ptr<const HeightMap>> HeightMap::create(HeightData data) {
     return detail::where_memory_lasts([&]() -> Result<std::shared_ptr<const HeightMap>> {
         if (auto checked = check(data); !checked)
-            return Error{checked.error()};
+            return checked.failure();
         return std::shared_ptr<const HeightMap>(new HeightMap(std::move(data)));
     });
 }

@@ -74,10 +74,10 @@ TriangleMesh::~TriangleMesh() = default;
 Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::create(MeshData data) {
     return detail::where_memory_lasts([&]() -> Result<std::shared_ptr<const TriangleMesh>> {
         if (auto checked = detail::check_parts(data); !checked)
-            return Error{checked.error()};
+            return checked.failure();
         detail::weld(data);
         if (auto closed = detail::close_surface(data); !closed)
-            return Error{closed.error()};
+            return closed.failure();
         data.vertices.shrink_to_fit();
         data.triangles.shrink_to_fit();
         return std::shared_ptr<const TriangleMesh>(new TriangleMesh(std::move(data)));

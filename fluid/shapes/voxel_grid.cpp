@@ -58,7 +58,7 @@ VoxelGrid::VoxelGrid(VoxelData data) : data_(std::move(data)) {
 Result<std::shared_ptr<const VoxelGrid>> VoxelGrid::create(VoxelData data) {
     return detail::where_memory_lasts([&]() -> Result<std::shared_ptr<const VoxelGrid>> {
         if (auto checked = check(data); !checked)
-            return Error{checked.error()};
+            return checked.failure();
         return std::shared_ptr<const VoxelGrid>(new VoxelGrid(std::move(data)));
     });
 }

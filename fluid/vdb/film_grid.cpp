@@ -63,7 +63,7 @@ Result<Lattice> lattice_of(const Region& region) {
         lattice.voxels[axis] = std::max(1, static_cast<int>(count));
     }
     if (auto valid = validate(Box{.cells = lattice.voxels, .cell_size = region.voxel_size, .boundaries = {}}); !valid)
-        return Error{message("region: ", valid.error())};
+        return valid.failure().after(message("region: "));
     return lattice;
 }
 
@@ -146,9 +146,9 @@ Region region_around(const WindView& air, double margin, float voxel_size) {
 Result<FilmGrid> film_grid(const WindView& air, const FilmSettings& settings) {
     const auto lattice = lattice_of(settings.region.value_or(region_around(air)));
     if (!lattice)
-        return Error{lattice.error()};
+        return lattice.failure();
     if (auto fits = check_cells(air, settings); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     return windrow::detail::where_memory_lasts([&]() -> Result<FilmGrid> {
         FilmGrid film;
         VelocityGrid& grid = film.grid;

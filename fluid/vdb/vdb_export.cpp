@@ -263,10 +263,10 @@ Result<void> add_obstacle(VelocityGrid& grid, const WindControl& wind, const Win
 Result<VelocityGrid> grid_of(const WindControl& wind, const WindReader& air) {
     const auto view = air.view();
     if (!view)
-        return Error{view.error()};
+        return view.failure();
     VelocityGrid grid = grid_of(*view);
     if (auto added = add_obstacle(grid, wind, air); !added)
-        return Error{added.error()};
+        return added.failure();
     return grid;
 }
 

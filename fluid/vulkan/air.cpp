@@ -43,16 +43,16 @@ DiffusionMethod method_of(const Config& config, const Box& box, double duration)
 Result<std::unique_ptr<Air>> Air::create(const Host& host, const Config& config, const Settings& settings) {
     auto device = Device::create(host);
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     return create(*std::move(device), config, settings);
 }
 
 Result<std::unique_ptr<Air>> Air::create(std::unique_ptr<Device> device, const Config& config, const Settings& settings) {
     if (auto valid = validate(config); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     std::unique_ptr<Air> air(new Air(std::move(device), config, settings));
     if (auto made = air->make(); !made)
-        return Error{made.error()};
+        return made.failure();
     return air;
 }
 
@@ -77,7 +77,7 @@ Result<Memory::Measured> Air::measure() {
     tables_.emplace(tables_of(config_.boundaries));
     device_->memory().measure();
     if (auto made = make_memory(); !made)
-        return Error{made.error()};
+        return made.failure();
     fields_ = {};
     piece_ = {};
     return device_->memory().expect_measured();
@@ -86,7 +86,7 @@ Result<Memory::Measured> Air::measure() {
 Result<void> Air::make_memory() {
     auto piece = piece_of(*tables_);
     if (!piece)
-        return Error{piece.error()};
+        return piece.failure();
     piece_ = *std::move(piece);
     auto fields = Fields::create(*device_, {.cells = config_.cells,
                                             .table_floats = static_cast<std::uint32_t>(
@@ -104,14 +104,14 @@ Result<void> Air::make_memory() {
                                             .points = static_cast<std::uint32_t>(settings_.reads.points),
                                             .exported = settings_.exported});
     if (!fields)
-        return Error{fields.error()};
+        return fields.failure();
     fields_ = *std::move(fields);
     return {};
 }
 
 Result<void> Air::make() {
     if (auto measured = measure(); !measured)
-        return Error{measured.error()};
+        return measured.failure();
     if (auto made = make_memory(); !made)
         return made;
     if (rough()) {
@@ -121,7 +121,7 @@ Result<void> Air::make() {
     }
     auto passes = passes_for(settings_.obstacles);
     if (!passes)
-        return Error{passes.error()};
+        return passes.failure();
     passes_ = *std::move(passes);
     passes_know_obstacles_ = settings_.obstacles;
     return {};
@@ -173,8 +173,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     block.flags =
         bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
         bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) | bit(config_.stages.advection, WINDROW_ADVECTS) |
-        bit(config_.stages.projection, WINDROW_PROJECTS) |
-        bit(config_.stages.relaxation && config_.relaxation_time > 0.0f, WINDROW_RELAXES) |
+        bit(config_.stages.projection, WINDROW_PROJECTS) | bit(step.relaxation_time > 0.0f, WINDROW_RELAXES) |
         bit(ambient.gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
@@ -183,7 +182,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
-    block.relaxation_time = config_.relaxation_time;
+    block.relaxation_time = step.relaxation_time;
     block.max_cfl = config_.max_cfl;
     block.sleep_speed = config_.sleep_speed;
     block.canopy_drag = step.canopy.drag;

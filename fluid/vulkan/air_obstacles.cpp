@@ -110,7 +110,7 @@ void Air::restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, s
 Result<void> Air::replace(Buffer& buffer, VkDeviceSize bytes) {
     auto made = Buffer::create(*device_, bytes, MemoryUse::device);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     retired_.push_back({std::exchange(buffer, *std::move(made)), slot_});
     return {};
 }
@@ -176,14 +176,14 @@ Result<void> Air::bind_anew(bool for_obstacles) {
     if (for_obstacles) {
         auto passes = passes_for(true);
         if (!passes)
-            return Error{passes.error()};
+            return passes.failure();
         old.passes = std::exchange(passes_, *std::move(passes));
         passes_know_obstacles_ = true;
         shapes_.reset();
     } else {
         auto sets = passes_.rebind(*device_, fields_);
         if (!sets)
-            return Error{sets.error()};
+            return sets.failure();
         old.sets = *std::move(sets);
     }
     retired_passes_.push_back(std::move(old));

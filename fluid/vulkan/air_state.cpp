@@ -21,20 +21,20 @@ Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells, std::size_t 
     const auto make = [&](Buffer& buffer, VkDeviceSize bytes) -> Result<void> {
         auto made = Buffer::create(device, bytes, MemoryUse::readback);
         if (!made)
-            return Error{"the wind was not saved: " + made.error()};
+            return made.failure().after("the wind was not saved: ");
         buffer = *std::move(made);
         return {};
     };
     if (auto made = make(saved.control, sizeof(WindrowControl)); !made)
-        return Error{made.error()};
+        return made.failure();
     if (auto made = make(saved.velocity, 2 * field); !made)
-        return Error{made.error()};
+        return made.failure();
     for (Buffer* buffer : {&saved.history, &saved.source_flow, &saved.before})
         if (auto made = make(*buffer, field); !made)
-            return Error{made.error()};
+            return made.failure();
     if (faces > 0)
         if (auto made = make(saved.terms, faces * sizeof(float)); !made)
-            return Error{made.error()};
+            return made.failure();
     return saved;
 }
 

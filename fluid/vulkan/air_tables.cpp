@@ -104,7 +104,7 @@ Result<Buffer> Air::piece_of(const SolveTables& tables) {
         return Buffer{};
     auto piece = Buffer::create(*device_, bytes.size(), MemoryUse::upload);
     if (!piece)
-        return Error{piece.error()};
+        return piece.failure();
     if (!device_->memory().measuring())
         std::memcpy(piece->mapped(), bytes.data(), bytes.size());
     return piece;
@@ -125,7 +125,7 @@ Result<Air::NewBoundaries> Air::prepare(const Boundaries& boundaries, bool kinds
     prepared.tables.emplace(tables_of(boundaries));
     auto piece = piece_of(*prepared.tables);
     if (!piece)
-        return Error{piece.error()};
+        return piece.failure();
     prepared.piece = *std::move(piece);
     return prepared;
 }

@@ -28,7 +28,7 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
     auto prepared = windrow::detail::where_memory_lasts(
         [&] { return air->prepare(boundaries, kinds || (new_sides_ && new_sides_->tables)); });
     if (!prepared)
-        return Error{prepared.error()};
+        return prepared.failure();
     materialise_gusts(); // with the old boundaries
     rest.filled = false;
     rest.disturb();

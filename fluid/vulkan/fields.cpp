@@ -10,14 +10,14 @@ namespace windrow::vulkan {
 
 Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     Fields fields;
-    std::string trouble;
+    Result<void> made_all;
     const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, MemoryUse use = MemoryUse::device) {
-        if (!trouble.empty())
+        if (!made_all)
             return;
         auto made = Buffer::create(device, bytes, use);
         if (!made) {
-            trouble = detail::message("The field ", name, " of ", sizes.cells.x, " x ", sizes.cells.y, " x ", sizes.cells.z,
-                                      " cells was not made: ", made.error());
+            made_all = made.failure().after(detail::message("The field ", name, " of ", sizes.cells.x, " x ", sizes.cells.y,
+                                                            " x ", sizes.cells.z, " cells was not made: "));
             return;
         }
         buffer = *std::move(made);
@@ -69,11 +69,11 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     const VkExtent3D extent = {static_cast<std::uint32_t>(sizes.cells.x), static_cast<std::uint32_t>(sizes.cells.y),
                                static_cast<std::uint32_t>(sizes.cells.z)};
     const auto make_image = [&](Image3D& image, VkFormat half, VkFormat single) {
-        if (!trouble.empty())
+        if (!made_all)
             return;
         auto made = Image3D::create(device, extent, sizes.texel == Texel::half ? half : single, sizes.exported);
         if (!made) {
-            trouble = made.error();
+            made_all = made.failure();
             return;
         }
         image = *std::move(made);
@@ -85,8 +85,8 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
         for (int axis = 0; axis < 3 && has_axes(sizes.textures); ++axis)
             make_image(fields.axes[frame][axis], VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT);
     }
-    if (!trouble.empty())
-        return Error{trouble};
+    if (!made_all)
+        return made_all.failure();
     return fields;
 }
 

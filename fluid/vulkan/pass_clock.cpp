@@ -20,7 +20,7 @@ Result<PassClock> PassClock::create(Device& device, int slots, std::uint32_t lap
     for (int n = 0; n < slots; ++n) {
         auto timestamps = Timestamps::create(device, timestamps_for(laps));
         if (!timestamps)
-            return Error{timestamps.error()};
+            return timestamps.failure();
         clock.slots_.push_back({.timestamps = *std::move(timestamps)});
         clock.slots_.back().laps.reserve(laps);
     }

@@ -271,7 +271,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         if (auto fits = device.check(
                 {.groups = plan.groups, .local_size = plan.local, .shared_bytes = plan.shared_bytes, .name = name_of(plan.pass)});
             !fits)
-            return Error{fits.error()};
+            return fits.failure();
         std::vector<VkDescriptorType> kinds(plan.buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
         const bool shows = plan.pass == Pass::show;
         if (shows)
@@ -288,7 +288,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                                          .push_bytes = sizeof(Push),
                                          .name = name_of(plan.pass)});
         if (!pipeline)
-            return Error{pipeline.error()};
+            return pipeline.failure();
         passes.pipelines_[n] = *std::move(pipeline);
         passes.groups_[n] = plan.groups;
         passes.bytes_[n] = bytes_of(plan, fields, shows ? texel_bytes(settings) : 0);
@@ -296,7 +296,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     }
     auto sets = passes.sets_of(device, fields);
     if (!sets)
-        return Error{sets.error()};
+        return sets.failure();
     passes.sets_ = *std::move(sets);
 
     passes.settings_ = settings;

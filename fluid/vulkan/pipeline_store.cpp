@@ -43,7 +43,7 @@ Result<std::shared_ptr<PipelineStore>> PipelineStore::create(const Host& host) {
         own.pipeline_store.reset();
         auto device = Device::create(own);
         if (!device)
-            return Error{device.error()};
+            return device.failure();
         return std::shared_ptr<PipelineStore>(new PipelineStore(std::make_unique<State>(*std::move(device))));
     });
 }
@@ -62,7 +62,7 @@ Result<std::shared_ptr<const Pipeline>> Device::pipeline(const Pipeline::Descrip
     if (!host_.pipeline_store) {
         auto made = Pipeline::create(*this, description);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         return std::make_shared<const Pipeline>(*std::move(made));
     }
     PipelineStore::State& store = *host_.pipeline_store->state_;
@@ -72,7 +72,7 @@ Result<std::shared_ptr<const Pipeline>> Device::pipeline(const Pipeline::Descrip
         return found->pipeline;
     auto made = Pipeline::create(*store.device, description);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     store.stored.push_back({.code = description.code,
                             .constants = {description.constants.begin(), description.constants.end()},
                             .push_bytes = description.push_bytes,

@@ -80,7 +80,7 @@ void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {
 Result<int> ReadBacks::begin(const Air& air, int slot) {
     const int next = slot >= 0 ? slot : (last_ + 1) % static_cast<int>(slots_.size());
     if (auto taken = take(air, next); !taken)
-        return Error{taken.error()};
+        return taken.failure();
     before_last_ = std::exchange(last_, next);
     ++recording_;
     return next;

@@ -85,13 +85,13 @@ Air::Settings air_settings(const Config& config, const Settings& settings) {
 Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings) {
     return windrow::detail::where_memory_lasts([&]() -> Result<RequiredBytes> {
         if (auto checked = check(config, settings); !checked)
-            return Error{checked.error()};
+            return checked.failure();
         auto device = Device::create(host);
         if (!device)
-            return Error{device.error()};
+            return device.failure();
         const auto measured = Air::measure(*std::move(device), config, air_settings(config, settings));
         if (!measured)
-            return Error{measured.error()};
+            return measured.failure();
         return RequiredBytes{.memory = measured->given, .reserved = measured->taken};
     });
 }
@@ -99,21 +99,21 @@ Result<RequiredBytes> required_bytes(const Host& host, const Config& config, con
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
         if (auto checked = check(config, settings); !checked)
-            return Error{checked.error()};
+            return checked.failure();
         const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);
         auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
-            return Error{ambient.error()};
+            return ambient.failure();
         auto air = Air::create(host, config, air_settings(config, settings));
         if (!air)
-            return Error{air.error()};
+            return air.failure();
         auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
         Air& cells = *state->cells.air;
         state->read_backs.make(cells, settings.frames_in_flight, state->frame_now());
         if (settings.timestamps) {
             auto clock = PassClock::create(cells.device(), settings.frames_in_flight, laps_of(config, cells.passes()));
             if (!clock)
-                return Error{clock.error()};
+                return clock.failure();
             state->clock = *std::move(clock);
             cells.set_clock(&*state->clock);
         }
@@ -289,7 +289,7 @@ double Wind::query_age() const {
 Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
     const State& state = *state_;
     if (auto known = state.core.obstacles.check(id); !known)
-        return Error{known.error()};
+        return known.failure();
     if (state.settings.forces == 0)
         return Error{"no forces come back from the device: create the wind with Settings::forces."};
     if (state.core.sleep.asleep())

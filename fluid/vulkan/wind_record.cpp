@@ -28,7 +28,7 @@ Result<void> Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
         return windrow::detail::out_of_memory();
     const auto taken = read_backs.begin(*cells.air, frame.slot);
     if (!taken)
-        return Error{taken.error()};
+        return taken.failure();
     slot = *taken;
     note_done(slot);
     if (clock)
@@ -137,7 +137,7 @@ Diagnostics Wind::State::reported() {
 
 Result<Advance> Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
     if (auto begun = begin(commands, frame); !begun)
-        return Error{begun.error()};
+        return begun.failure();
     Advance done = core.advance(frame.dt);
     if (done.ticks > 0) // a host that reads no more than its ticks' reports misses none
         read_backs.take_counts(done.last);
@@ -150,11 +150,11 @@ Result<Diagnostics> Wind::State::record_step(VkCommandBuffer commands, const Fra
     if (core.frames && frame.dt == 0.0) { // between two ticks it stays there
         auto paused = record(commands, frame);
         if (!paused)
-            return Error{paused.error()};
+            return paused.failure();
         return paused->last;
     }
     if (auto begun = begin(commands, frame); !begun)
-        return Error{begun.error()};
+        return begun.failure();
     const bool slept = core.sleep.asleep();
     Diagnostics done = core.step(frame.dt);
     if (frame.dt > 0.0)
@@ -194,7 +194,7 @@ struct RecordedTime {
     [[nodiscard]] Result<Report> recorded(Result<Report> (Wind::*call)(VkCommandBuffer, const Frame&), double dt) const {
         Result<Report> report{Report{}};
         if (auto ran = run([&](VkCommandBuffer commands) { report = (wind.*call)(commands, {.dt = dt}); }); !ran)
-            return Error{ran.error()};
+            return ran.failure();
         return report;
     }
     [[nodiscard]] Result<Diagnostics> step(double dt) const { return recorded(&Wind::record_step, dt); }

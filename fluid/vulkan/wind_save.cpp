@@ -69,15 +69,15 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
     RestoredAir air;
     air.fresh = from.fresh;
     air.undiffused_time = from.undiffused_time;
-    std::string trouble;
+    Result<void> made_all;
     const auto put = [&](DeviceState state, std::span<const glm::vec4> field) {
-        if (!trouble.empty())
+        if (!made_all)
             return;
         auto made = upload_of(device, field);
         if (made)
             air.fields[static_cast<std::size_t>(state)] = *std::move(made);
         else
-            trouble = made.error();
+            made_all = made.failure();
     };
     put(DeviceState::velocity, from.velocity);
     if (!from.fresh) {
@@ -101,8 +101,8 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
         air.shown = from.core.frames->shown.window;
         air.shown_before = from.core.frames->shown_before.window;
     }
-    if (!trouble.empty())
-        return Error{"the snapshot's cells were not loaded: " + trouble};
+    if (!made_all)
+        return made_all.failure().after("the snapshot's cells were not loaded: ");
     return air;
 }
 
@@ -113,7 +113,7 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
         from.core.frames->shown.window.rows = from.core.frames->shown_before.window.rows = core.rows.get();
     auto air = restored(cells.air->device(), from);
     if (!air)
-        return Error{air.error()};
+        return air.failure();
     core.place = from.core.place;
     core.ambient = from.core.ambient;
     core.motors = std::move(from.core.motors);
@@ -136,12 +136,12 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
         auto saved = windrow::Wind::load(bytes);
         if (!saved)
-            return Error{saved.error()};
+            return saved.failure();
         auto wind = create(host, saved->config(), settings);
         if (!wind)
             return wind;
         if (auto taken = wind->state().continue_from(windrow::loaded(*saved)); !taken)
-            return Error{taken.error()};
+            return taken.failure();
         return wind;
     });
 }

@@ -39,7 +39,7 @@ WINDROW_FN WindrowGridPlace windrow_grid_place(WindrowGrid size, vec2 p) {
     vec2 at = clamp(p / size.spacing, vec2(0.0f), last);
     vec2 below = min(floor(at), last - 1.0f);
     WindrowGridPlace place;
-    place.low = ivec2(below);
+    place.low = clamp(ivec2(below), ivec2(0), size.corners - 2); // within the grid for a p that is no number, too
     place.between = at - below;
     return place;
 }

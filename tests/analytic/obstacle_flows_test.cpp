@@ -158,6 +158,34 @@ TEST(ObstacleFlows, ACubeHasTheWakeOfExperiments) {
     EXPECT_GE(length, 1.4);
 }
 
+// [m/s] Mean along x behind a cube of 6 cells on a floor in a steady wind of 6 m/s, from 20 to 50 s.
+double lee_of_a_cube(std::optional<float> relaxation_time) {
+    Wind wind = made({.cells = {56, 16, 20},
+                      .boundaries = Boundaries::open_over_floor(),
+                      .ambient = {6.0f, 0.0f, 0.0f},
+                      .relaxation_time = relaxation_time});
+    placed(wind, {.position = {-12.0, 3.0, 0.0}, .shape = Block{glm::vec3(3.0f)}});
+    double sum = 0.0;
+    int places = 0;
+    for (int n = 0; n < 1000; ++n) {
+        (void)wind.step(0.05);
+        for (int x = 1; n >= 400 && x <= 6; ++x)
+            for (int z = -2; z <= 2; ++z, ++places)
+                sum += static_cast<double>(wind.velocity({-9.0 + x, 2.0, static_cast<double>(z)}).x);
+    }
+    return sum / places;
+}
+
+// What relaxation does by default must not fill a lee: the air there stands for longer than 20 s.
+TEST(ObstacleFlows, ALeeIsNotFilledByDefault) {
+    if (k_sanitized)
+        return;
+    const double without = lee_of_a_cube(0.0f), lee = lee_of_a_cube(std::nullopt);
+    figure("obstacle_flows/lee_without_relaxation_m_per_s", without);
+    EXPECT_LT(without, -0.7);
+    WINDROW_EXPECT_FIGURE("obstacle_flows/lee_m_per_s", lee, 0.6 * without);
+}
+
 // --- A no-slip block -----------------------------------------------------------------------------------------------------------
 
 /// A block of 8 m across a wind of 8 m/s for 40 s, two-dimensional: u, w in cells of 1 m. Re = 128 at 0.5 m^2/s.

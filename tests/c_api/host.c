@@ -66,6 +66,14 @@ static void heap_release(void* memory, size_t bytes, size_t alignment, void* use
     free(start);
 }
 
+/* As malloc is on many platforms: it does not keep to the alignment. */
+static void* crooked_allocate(size_t bytes, size_t alignment, void* user) {
+    return (char*)heap_allocate(bytes + 16, alignment, user) + 16;
+}
+static void crooked_release(void* memory, size_t bytes, size_t alignment, void* user) {
+    heap_release((char*)memory - 16, bytes + 16, alignment, user);
+}
+
 typedef struct log_lines {
     int errors, warnings;
     char last[200];
@@ -84,6 +92,7 @@ static void check_hooks(heap* counts) {
     windrow_gusts gusts;
     windrow_omni_motor buried;
     windrow_obstacle vast;
+    windrow_vec3 felt;
     log_lines lines;
     int64_t calls;
     int n;
@@ -122,6 +131,10 @@ static void check_hooks(heap* counts) {
     for (n = 0; n < 3; ++n)
         CHECK_OK(windrow_wind_step(wind, 0.02, NULL));
     CHECK(lines.warnings == 2 && strstr(lines.last, "more than half of the box") != NULL);
+    CHECK_OK(windrow_wind_set_ambient(wind, vec3(600.0f, 0.0f, 0.0f))); /* 6 m/s, of a host that has centimetres */
+    for (n = 0; n < 3; ++n)
+        CHECK_OK(windrow_wind_felt(wind, dvec3(0.0, 0.0, 0.0), NULL, &felt));
+    CHECK(lines.warnings == 3 && strstr(lines.last, "sampling.limit is below the mean wind") != NULL);
     windrow_set_logger(NULL, NULL);
     CHECK(windrow_wind_follow(NULL, dvec3(0.0, 0.0, 0.0)) == WINDROW_REJECTED && lines.errors == 1);
 
@@ -135,6 +148,7 @@ int main(int count, char** arguments) {
     CHECK(windrow_version() == WINDROW_VERSION && strcmp(windrow_version_string(), WINDROW_VERSION_STRING) == 0);
     CHECK(strcmp(windrow_last_error(), "") == 0);
     CHECK_FAILS(windrow_set_allocator(heap_allocate, NULL, NULL), WINDROW_REJECTED, "give allocate and release");
+    CHECK_FAILS(windrow_set_allocator(crooked_allocate, crooked_release, &counts), WINDROW_REJECTED, "multiple of 64");
     CHECK_OK(windrow_set_allocator(heap_allocate, heap_release, &counts));
 
     check_hooks(&counts);

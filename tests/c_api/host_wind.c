@@ -236,6 +236,10 @@ void check_errors(void) {
     CHECK_OK(windrow_wind_create(&config, &wind));
     CHECK_OK(windrow_wind_config(wind, &config)); /* and it is written no further */
     CHECK(config.scheme == 300 && config.cells.x == 24);
+    /* a size that cuts a pointer */
+    config = small_config();
+    config.struct_size = offsetof(windrow_config, gusts) + 4;
+    CHECK_FAILS(windrow_config_validate(&config), WINDROW_REJECTED, "struct_size");
     /* a newer host: only what this library has */
     memset(larger, 0, sizeof larger);
     CHECK_OK(windrow_config_init((windrow_config*)(void*)larger, sizeof larger));

@@ -41,7 +41,8 @@ TEST(CApi, DefaultsAreThoseOfCpp) {
     EXPECT_EQ(c.cells.x, cpp.cells.x);
     EXPECT_EQ(c.cells.y, cpp.cells.y);
     EXPECT_EQ(c.viscosity, cpp.viscosity);
-    EXPECT_EQ(c.relaxation_time, cpp.relaxation_time);
+    EXPECT_EQ(c.relaxation_time, -1.0f);
+    EXPECT_FALSE(cpp.relaxation_time);
     EXPECT_EQ(c.interpolation, static_cast<int>(cpp.interpolation));
     EXPECT_EQ(c.ticks_hz, cpp.ticks.hz);
     EXPECT_EQ(c.max_substeps, cpp.max_substeps);

@@ -100,6 +100,8 @@ TEST_F(Faults, AtEachCallLeaveNothingBehindAndAreNamed) {
             ASSERT_FALSE(all) << failed << " failed and was not told";
             EXPECT_NE(all.error().find(failed), std::string::npos) << all.error();
             EXPECT_NE(all.error().find(name_of(code)), std::string::npos) << all.error();
+            EXPECT_EQ(all.failure().fault, code == VK_ERROR_DEVICE_LOST ? Fault::device_lost : Fault::out_of_memory)
+                << all.error();
             expect_none_lives();
         }
     test::figure("faults tried while the backend's objects are made", points);

@@ -47,7 +47,7 @@ class WindFaults : public Gpu {
         auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f},
                                  {.gusts = true, .timestamps = true, .queries = ReadBack::cells});
         if (!wind)
-            return Error{wind.error()};
+            return wind.failure();
         const std::vector<glm::vec4> start(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z),
                                            glm::vec4(1.0f, 0.5f, 0.0f, 0.0f));
         if (auto set = wind->set_velocity(start); !set)
@@ -66,7 +66,7 @@ class WindFaults : public Gpu {
             Result<Advance> recorded = Advance{};
             run([&](VkCommandBuffer commands) { recorded = wind->record(commands, {.dt = 1.0 / 30.0, .slot = frames % 2}); });
             if (!recorded)
-                return Error{recorded.error()};
+                return recorded.failure();
             if (frames == 0)
                 wind->forget(); // as if it had not run: its read-back and its times are not taken
             if (frames == 2)
@@ -123,6 +123,8 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
             }
             EXPECT_NE(lived.error().find(failed), std::string::npos) << lived.error();
             EXPECT_NE(lived.error().find(name_of(code)), std::string::npos) << lived.error();
+            EXPECT_EQ(lived.failure().fault, code == VK_ERROR_DEVICE_LOST ? Fault::device_lost : Fault::out_of_memory)
+                << lived.error();
         }
     test::figure("faults tried in a life of a wind", points);
     test::figure("of which the wind outlived", outlived);

@@ -167,7 +167,7 @@ class WindStories : public WindParity {
                       in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
         pair.min = 1.0;
         log << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity " << config.viscosity
-            << ", relaxation " << config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
+            << ", relaxation " << *config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
             << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
             << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
             << ", in flight " << in_flight;

@@ -58,7 +58,8 @@ double largest_energy(const UnevenStart& start, BoundaryKind boundaries, Config 
                       int steps) {
     config.cells = {32, 16, 32};
     config.boundaries = Boundaries::all(boundaries);
-    config.viscosity = config.relaxation_time = 0.0f;
+    config.viscosity = 0.0f;
+    config.relaxation_time = 0.0f;
     Wind wind = made(config);
     EXPECT_TRUE(wind.set_velocity(projected(start.field(config.cells, 1.0f, 7), wind.box())));
     float component = 0.0f;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""check_messages.py ROOT [--accept]: every message of the library and the command, against tests/structure/messages.txt.
+"""check_messages.py ROOT [--accept]: every message of the library and the command, against tests/structure/messages.txt, and that an
+error is handed on whole.
 
 The file is the list that a person has reviewed: each message once, sorted, with `<>` for each value between its words. A value at
 either end is left out. --accept writes the file. Exits with 1 where the messages differ from it and prints the lines that do.
@@ -66,16 +67,22 @@ def messages(text):
             yield line
 
 
+# An error that is made of another one's sentence loses its class: `failure()` hands on both.
+HANDED_ON = re.compile(r"\bError\{[\w.>*\[\]()-]*\.error\(\)\}|\bError\{(?:detail::)?message\([^;]*\.error\(\)\)\}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--accept", action="store_true", help="write messages.txt")
     options = parser.parse_args()
-    found = set()
+    found, bare = set(), []
     for folder in FOLDERS:
         for path in (options.root / folder).rglob("*"):
             if path.suffix in (".h", ".cpp", ".inl") and not path.relative_to(options.root).as_posix().startswith(NOT_SHIPPED):
-                found |= {f"{folder}: {line}" for line in messages(path.read_text(encoding="utf-8"))}
+                text = path.read_text(encoding="utf-8")
+                found |= {f"{folder}: {line}" for line in messages(text)}
+                bare += [f"{path.relative_to(options.root)}: {match.group(0)}" for match in HANDED_ON.finditer(text)]
     file = options.root / "tests/structure/messages.txt"
     if options.accept:
         file.write_text("".join(line + "\n" for line in sorted(found)), encoding="utf-8")
@@ -85,6 +92,8 @@ def main():
     for line in sorted(found - reviewed):
         print("not reviewed:", line)
     print(f"{len(found)} messages")
+    if bare:
+        sys.exit("\n".join(bare) + "\nHand on the whole error: `failure()`, or `failure().after(place)`.")
     if found != reviewed:
         sys.exit("Review the lines by the rule of CONTRIBUTING.md, then run check_messages.py . --accept.")
 

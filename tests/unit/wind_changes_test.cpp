@@ -4,6 +4,8 @@
 #include "fluid/event_log.h"
 #include "tests/winds.h"
 
+#include <stdexcept>
+
 namespace {
 
 using namespace windrow;
@@ -184,6 +186,23 @@ TEST(WindChanges, WhatIsNoNumberIsNeverShown) {
     const Advance done = wind.advance(0.04);
     EXPECT_GT(done.last.repaired_cells, 0);
     EXPECT_TRUE(all_finite(wind.view().field()));
+}
+
+TEST(WindChanges, AVelocityIsSetWholeOrNotAtAll) {
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
+    // The function reads the wind as it was: all of it turns round once.
+    wind.set_velocity([&](glm::dvec3 centre) { return -wind.velocity(centre); });
+    for (const glm::vec4 cell : wind.field())
+        ASSERT_EQ(glm::vec3(cell), glm::vec3(-1.0f, 0.0f, 0.0f));
+    const std::vector<glm::vec4> before(wind.field().begin(), wind.field().end());
+    int cells = 0;
+    const auto third = [&](glm::dvec3) {
+        if (++cells > 300)
+            throw std::runtime_error("enough");
+        return glm::vec3(9.0f);
+    };
+    EXPECT_THROW(wind.set_velocity(third), std::runtime_error);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), wind.field().begin()));
 }
 
 TEST(WindChanges, AStepAfterFramesTakesUpWhatTheyTold) {

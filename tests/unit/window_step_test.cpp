@@ -1,6 +1,7 @@
 // A step of a box that has followed equals copy, then step, to the bit: the copy made by hand, with the history that the
 // second-order step carries, and the step put together from the public pieces.
 
+#include "fluid/core/solve_policy.h"
 #include "fluid/cpu/acting.h"
 #include "tests/winds.h"
 
@@ -47,8 +48,8 @@ class AirByHand {
         const bool spreads = *diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
-        if (config_.relaxation_time > 0.0f)
-            transport.relaxation = 1.0f / (1.0f + dt / config_.relaxation_time);
+        if (const float time = relaxation_time(config_, false); time > 0.0f)
+            transport.relaxation = 1.0f / (1.0f + dt / time);
         const numerics::WindrowPast past = numerics::windrow_past(fresh_ ? 0.0f : dt / dt_old_);
         if (fresh_)
             history_.assign(u_.size(), glm::vec4(0.0f));

@@ -56,12 +56,12 @@ std::string scene_of(const FrameCase& wanted) {
 FrameStage::FrameStage(const FrameCase& wanted) {
     auto read = program::read_picture_scene_text(scene_of(wanted), "frame_bench");
     if (!read)
-        must(Error{read.error()});
+        must(read.failure());
     scene_ = std::make_unique<program::PictureScene>(*std::move(read));
     scene_->picture.grass.front().drawn.field = wanted.grass;
     auto made = program::SceneRenderer::create(*scene_, wanted.scene_renderer);
     if (!made)
-        must(Error{made.error()});
+        must(made.failure());
     scene_renderer_ = *std::move(made);
     must(scene_renderer_->warm_up());
     must(scene_renderer_->draw(false));

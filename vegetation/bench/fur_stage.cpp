@@ -24,7 +24,7 @@ void held(const Result<void>& result) {
 template <class T>
 T held(Result<T> result) {
     if (!result)
-        held(Error{result.error()});
+        held(result.failure());
     return *std::move(result);
 }
 

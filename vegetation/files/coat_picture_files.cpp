@@ -30,7 +30,7 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
     const std::string name = file.string();
     const auto bytes = windrow::detail::read_input(file, {.folder = folder, .max_bytes = k_max_picture_bytes}, budget);
     if (!bytes)
-        return Error{bytes.error()};
+        return bytes.failure();
     // From memory: OpenImageIO opens no file by itself.
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());
     const auto input = OIIO::ImageInput::open(name, nullptr, &memory);
@@ -53,7 +53,7 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     // A coat keeps 8 bytes a texel.
     if (auto taken = budget.take_memory(name, 8 * count); !taken)
-        return Error{taken.error()};
+        return taken.failure();
     CoatPicture made{spec.width, spec.height, std::vector<glm::vec4>(count, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f))};
     const int channels = spec.nchannels < 3 ? 1 : 3;
     // No more channels than are used, each in its place.
@@ -89,7 +89,7 @@ Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::
                 continue;
             Result<CoatPicture> picture = read(folder / each.file, folder, each.colour, budget);
             if (!picture)
-                return Error{picture.error()};
+                return picture.failure();
             each.into = *std::move(picture);
         }
     } catch (const std::exception& fault) { // of a codec, or of memory that a damaged file asks for

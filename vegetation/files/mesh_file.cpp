@@ -37,14 +37,14 @@ std::string ending_of(const fs::path& path) {
 Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats, InputBudget& budget) {
     const auto obj = windrow::scene::read_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
     if (!obj)
-        return Error{obj.error()};
+        return obj.failure();
     for (const std::string& library : obj->libraries) {
         const auto text = read_beside(path, library, budget);
         if (!text)
-            return Error{text.error()};
+            return text.failure();
         auto more = read_fur_lines(*text, (path.parent_path() / library).string());
         if (!more)
-            return Error{more.error()};
+            return more.failure();
         coats.merge(*more);
     }
     using windrow::scene::ObjCorner;
@@ -70,7 +70,7 @@ Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& fold
         return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf or .glb.")};
     auto bytes = windrow::detail::read_input(path, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!bytes)
-        return Error{bytes.error()};
+        return bytes.failure();
     if (ending == ".obj")
         return read_obj(path, *bytes, coats, budget);
     return read_gltf(*bytes, path, budget);
@@ -96,11 +96,11 @@ float stand(Mesh& mesh, const MeshLoad& load) {
 
 Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optional<fs::path>& folder, InputBudget& budget) {
     if (const auto valid = validate(load); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     Coats coats;
     auto soup = read_soup(path, folder, budget, coats);
     if (!soup)
-        return Error{soup.error()};
+        return soup.failure();
     turn(*soup, load);
     auto mesh = weld(*soup, path.string() + " ");
     if (!mesh)
@@ -128,10 +128,10 @@ Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optiona
             part.fur->height *= scale;
         }
     if (const auto valid = validate(*mesh, path.string().c_str()); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     const std::size_t memory = mesh->vertices.size() * sizeof(MeshVertex) + mesh->indices.size() * sizeof mesh->indices.front();
     if (auto taken = budget.take_memory(path.string(), memory); !taken)
-        return Error{taken.error()};
+        return taken.failure();
     return mesh;
 }
 

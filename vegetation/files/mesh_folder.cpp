@@ -15,7 +15,7 @@ Result<std::string> read_beside(const std::filesystem::path& path, std::string_v
     const std::filesystem::path folder = path.parent_path();
     auto bytes = windrow::detail::read_input(folder / name, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!bytes)
-        return windrow::Error{message(path.string(), " names the file '", name, "': ", bytes.error())};
+        return bytes.failure().after(message(path.string(), " names the file '", name, "': "));
     return bytes;
 }
 

@@ -53,7 +53,7 @@ Flesh flesh_of() {
 
 Result<Mesh> beast_mesh(const Beast& beast) {
     if (const auto valid = windrow::detail::validate_settings(beast, "beast"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     const float cell = 1.0f / static_cast<float>(beast.detail);
     const float side = std::ceil(0.35f / cell) * cell; // left and right cells mirror each other
     // Where two limbs come close, both may cross one cell; in a grid that lies a little otherwise they do not.

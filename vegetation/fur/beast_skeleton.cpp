@@ -116,7 +116,7 @@ Result<Skeleton> beast_skeleton(const Beast& beast, float hz, BeastGait gait) {
     }
     Skeleton skeleton{std::move(walk.bones)};
     if (const auto valid = validate(skeleton); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return skeleton;
 }
 

@@ -30,7 +30,7 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
                                            const CoatPictures& pictures, const windrow::Pose& body, glm::dvec3 anchor) {
     for (const Result<void>& judged : {validate(settings), validate(mesh), validate(pictures), windrow::validate(body)})
         if (!judged)
-            return Error{judged.error()};
+            return judged.failure();
     for (const MeshPart& part : parts)
         if (part.count == 0 || part.count % 3 != 0 || part.first > mesh.indices.size() ||
             part.count > mesh.indices.size() - part.first)
@@ -56,7 +56,7 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
     if (settings.inertia) {
         auto made = windrow::Cascade::create(*settings.inertia, body);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         cascade.emplace(*std::move(made));
     }
     return engine::guarded([&] {

@@ -38,7 +38,7 @@ Result<FurLine> fur_of(std::string_view words, const std::string& place) {
         if (!read(word[i + 1], *numbers[i]))
             return windrow::Error{message(place, ": fur's ", names[i], " is '", word[i + 1], "': give a number.")};
     if (const auto valid = windrow::detail::validate_settings(fur, place + ": fur"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return fur;
 }
 
@@ -59,7 +59,7 @@ Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, cons
             return windrow::Error{message(place, ": fur line before any newmtl line: move it below the line of its material.")};
         const auto fur = fur_of(line, place);
         if (!fur)
-            return Error{fur.error()};
+            return fur.failure();
         if (!coats.emplace(material, *fur).second)
             return windrow::Error{message(place, ": duplicate fur line of material '", material, "': remove one.")};
     }

@@ -61,7 +61,7 @@ Result<Skeleton> horse_skeleton(float size, float hz) {
         add("far forearm", chest, {0.11f, 0.73f, -0.15f}, {0.17f, 0.83f, -0.19f}, 0.04f, {sway(k_across, 0.20f, hz, 0.5f)});
     add("far forefoot", far_arm, {0.17f, 0.83f, -0.19f}, {0.19f, 0.65f, -0.205f}, 0.03f, {sway(k_across, 0.40f, hz, 0.62f)});
     if (const auto valid = validate(skeleton); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return skeleton;
 }
 

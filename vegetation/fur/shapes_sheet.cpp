@@ -18,7 +18,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 
 Result<Mesh> sheet(const Sheet& settings) {
     if (const auto valid = windrow::detail::validate_settings(settings, "sheet"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
 
     // y = wave sin(a) cos(b), with one wave and a half along x and one along z: two slopes that a hanging cloth has.
     const float along_x = 3.0f * std::numbers::pi_v<float>, along_z = 2.0f * std::numbers::pi_v<float>;

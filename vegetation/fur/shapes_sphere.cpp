@@ -20,7 +20,7 @@ MeshVertex on_sphere(const glm::dvec3& way, double radius, double u, double v) {
 
 Result<Mesh> globe_sphere(const GlobeSphere& settings) {
     if (const auto valid = windrow::detail::validate_settings(settings, "sphere"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
 
     Mesh mesh;
     mesh.has_uv = true;
@@ -52,7 +52,7 @@ Result<Mesh> globe_sphere(const GlobeSphere& settings) {
 
 Result<Mesh> cube_sphere(const CubeSphere& settings) {
     if (const auto valid = windrow::detail::validate_settings(settings, "sphere"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
 
     // Outward, to the right and up of each face; right x up = outward.
     constexpr int k_axes[6][3][3] = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},

@@ -55,7 +55,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 
 Result<Mesh> wing(const Wing& settings) {
     if (const auto valid = windrow::detail::validate_settings(settings, "wing"); !valid)
-        return Error{valid.error()};
+        return valid.failure();
 
     const WingForm form(settings);
     Mesh mesh;

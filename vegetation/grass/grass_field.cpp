@@ -46,7 +46,7 @@ windrow::Result<GrassField> GrassField::create(engine::Device& device, const Hei
                     " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
                     "grass.chunk_cells or less ground.");
     if (auto fits = reasons.outcome(); !fits)
-        return windrow::Error{fits.error()};
+        return fits.failure();
     return engine::guarded([&] {
         auto state = std::make_unique<State>(device, heights, mask, settings);
         state->make();

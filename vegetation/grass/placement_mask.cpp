@@ -41,14 +41,14 @@ PlacementMask::PlacementMask(const windrow::numerics::WindrowGrid& grid, std::ve
 
 windrow::Result<PlacementMask> PlacementMask::create(glm::ivec2 corners, glm::vec2 extent, float alpha) {
     if (auto fits = check(corners, extent, alpha); !fits)
-        return windrow::Error{fits.error()};
+        return fits.failure();
     const std::size_t count = static_cast<std::size_t>(corners.x) * static_cast<std::size_t>(corners.y);
     return PlacementMask({corners, extent / glm::vec2(corners - 1)}, std::vector<float>(count, whole(alpha)));
 }
 
 windrow::Result<Touched> PlacementMask::stroke(const Brush& brush, float sign) {
     if (auto fits = windrow::detail::validate_settings(brush, "brush"); !fits)
-        return windrow::Error{fits.error()};
+        return fits.failure();
     const glm::vec2 low = brush.centre - brush.radius, high = brush.centre + brush.radius;
     const glm::vec2 last(grid_.corners - 1);
     const glm::ivec2 first(glm::clamp(glm::floor(low / grid_.spacing), glm::vec2(0.0f), last));

@@ -25,7 +25,7 @@ windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm:
     windrow::detail::InputBudget budget;
     const auto bytes = windrow::detail::read_input(path, {.max_bytes = k_max_pgm_bytes}, budget);
     if (!bytes)
-        return windrow::Error{bytes.error()};
+        return bytes.failure();
     return from_pgm(*bytes, extent, path, std::numeric_limits<std::size_t>::max());
 }
 
@@ -33,10 +33,10 @@ windrow::Result<PlacementMask> PlacementMask::from_pgm(std::string_view bytes, g
                                                        std::size_t max_values) {
     const auto picture = windrow::detail::read_pgm(bytes, name, max_values);
     if (!picture)
-        return windrow::Error{picture.error()};
+        return picture.failure();
     auto mask = create(picture->size, extent);
     if (!mask)
-        return windrow::Error{name + ": " + mask.error()};
+        return mask.failure().after(name + ": ");
     // A level of a 16-bit mask is a level; others to the nearest.
     for (std::size_t n = 0; n < mask->values_.size(); ++n)
         mask->values_[n] = static_cast<float>(static_cast<std::uint32_t>(picture->value(n) * 65535.0f + 0.5f)) / 65535.0f;

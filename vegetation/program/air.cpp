@@ -12,7 +12,7 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
         config.parallel_for = made.threads_->parallel_for();
         auto wind = engine::CpuWind::create(device, config);
         if (!wind)
-            return Error{wind.error()};
+            return wind.failure();
         made.cpu_ = *std::move(wind);
         made.control_ = &made.cpu_->air();
         made.reader_ = &made.cpu_->air();
@@ -24,7 +24,7 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
                                                .timestamps = settings.pass_times,
                                                .queries = settings.queries ? ReadBack::cells : ReadBack::none});
     if (!wind)
-        return Error{wind.error()};
+        return wind.failure();
     made.device_ = std::make_unique<windrow::vulkan::Wind>(*std::move(wind));
     made.control_ = made.device_.get();
     made.reader_ = made.device_.get();
@@ -34,7 +34,7 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
 Result<void> Air::record(const engine::Frame& frame, double dt) {
     if (!cpu_) {
         const auto recorded = device_->record(frame.commands, {.dt = dt, .slot = frame.slot});
-        return recorded ? Result<void>{} : Error{recorded.error()};
+        return recorded ? Result<void>{} : recorded.failure();
     }
     const auto begin = std::chrono::steady_clock::now();
     if (const Diagnostics last = cpu_->air().advance(dt).last; last.out_of_memory && !last.stepped)

@@ -94,7 +94,7 @@ windrow::Result<Figures> Figures::create(engine::Device& device, const render::D
             made.figures_.push_back({.walker = &walker, .gait = Gait(scene.air.paths[walker.path].path)});
     auto bodies = render::Bodies::create(device, targets, std::span(&whole, 1), made.figures_.size());
     if (!bodies)
-        return windrow::Error{bodies.error()};
+        return bodies.failure();
     made.bodies_ = *std::move(bodies);
     return made;
 }

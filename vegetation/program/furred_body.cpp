@@ -42,7 +42,7 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow:
     BodyModel model;
     auto mesh = std::visit(MakeMesh{scene.air.file.parent_path(), budget}, body.mesh);
     if (!mesh)
-        return Error{mesh.error()};
+        return mesh.failure();
     model.mesh = *std::move(mesh);
     switch (body.skeleton.kind) {
     case SkeletonKind::none:
@@ -51,7 +51,7 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow:
         const auto* beast = std::get_if<fur::Beast>(&body.mesh);
         auto bones = fur::beast_skeleton(beast != nullptr ? *beast : fur::Beast{}, 0.8f, body.skeleton.gait);
         if (!bones)
-            return Error{bones.error()};
+            return bones.failure();
         model.skeleton = *std::move(bones);
         break;
     }
@@ -59,7 +59,7 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow:
         const auto* file = std::get_if<MeshSource>(&body.mesh);
         auto bones = fur::horse_skeleton(file != nullptr ? file->load.size : 1.0f);
         if (!bones)
-            return Error{bones.error()};
+            return bones.failure();
         model.skeleton = *std::move(bones);
         break;
     }
@@ -68,7 +68,7 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow:
         break;
     }
     if (auto bound = fur::bind(model.mesh, *model.skeleton); !bound)
-        return Error{bound.error()};
+        return bound.failure();
     return model;
 }
 
@@ -101,7 +101,7 @@ Result<FurredBodies> FurredBodies::create(engine::Device& device, const render::
     FurredBodies made(scene);
     for (const Body& body : scene.picture.bodies)
         if (auto furred = made.dress(device, targets, body, anchor); !furred)
-            return Error{"$.picture.bodies, " + body.name + ": " + furred.error()};
+            return furred.failure().after("$.picture.bodies, " + body.name + ": ");
     return made;
 }
 
@@ -109,12 +109,12 @@ Result<void> FurredBodies::dress(engine::Device& device, const render::DrawTarge
                                  glm::dvec3 anchor) {
     auto model = model_of(*scene_, body, inputs_);
     if (!model)
-        return Error{model.error()};
+        return model.failure();
     Furred furred{.body = &body, .model = *std::move(model), .coats = {}};
     for (const BodyCoat& worn : body.coats) {
         const auto parts = parts_of(furred.model.mesh, worn);
         if (!parts)
-            return Error{parts.error()};
+            return parts.failure();
         std::optional<fur::FurLine> fur;
         for (const fur::MeshPart& part : *parts)
             if (part.fur && !fur)
@@ -122,11 +122,11 @@ Result<void> FurredBodies::dress(engine::Device& device, const render::DrawTarge
         const fur::CoatSettings settings = settings_of(worn, fur);
         const auto pictures = fur::read_pictures(settings.maps, scene_->air.file.parent_path(), inputs_);
         if (!pictures)
-            return Error{pictures.error()};
+            return pictures.failure();
         auto coat = fur::Coat::create(device, targets, furred.model.mesh, *parts, settings, *pictures,
                                       pose_of(*scene_, body, 0.0), anchor);
         if (!coat)
-            return Error{coat.error()};
+            return coat.failure();
         if (auto lit = (*coat)->set_lamps(scene_->picture.lamps); !lit)
             return lit;
         furred.coats.push_back(*std::move(coat));
@@ -152,14 +152,14 @@ Result<void> FurredBodies::move(const Furred& furred, double time, double second
             coat->settings().inertia ? std::max(1, static_cast<int>(std::ceil(seconds / k_longest_step - 1e-6))) : 1;
         if (std::abs(time - seconds - time_) > 1e-9) // begins elsewhere: tips rest there
             if (auto placed = coat->move(0.0, pose_of(*scene_, *furred.body, time - seconds)); !placed)
-                return Error{"$.picture.bodies, " + furred.body->name + ": " + placed.error()};
+                return placed.failure().after("$.picture.bodies, " + furred.body->name + ": ");
         for (int step = 1; step <= steps; ++step) {
             const bool last = step == steps;
             const double at = last ? time : time - seconds * (steps - step) / steps;
             const auto moved = last ? coat->move(seconds / steps, pose_of(*scene_, *furred.body, at), bones, ahead)
                                     : coat->move(seconds / steps, pose_of(*scene_, *furred.body, at));
             if (!moved)
-                return Error{"$.picture.bodies, " + furred.body->name + ": " + moved.error()};
+                return moved.failure().after("$.picture.bodies, " + furred.body->name + ": ");
         }
         coat->set_time(time);
         if (coat->settings().drifts)
@@ -187,7 +187,7 @@ Result<void> FurredBodies::move(double time, double seconds) {
     for (const Furred& furred : furred_)
         for (const auto& coat : furred.coats)
             if (auto felt = coat->set_feet(feet); !felt)
-                return Error{"$.picture.walkers: " + felt.error()};
+                return felt.failure().after("$.picture.walkers: ");
     for (const Furred& furred : furred_)
         if (auto moved = seconds > 0.0 ? move(furred, time, seconds) : Result<void>{}; !moved) // else they are there already
             return moved;

@@ -39,12 +39,12 @@ windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, const 
     if (!mask)
         return mask;
     if (const auto thinned = grass::thin_out(*mask, source.bare); !thinned)
-        return windrow::Error{thinned.error()};
+        return thinned.failure();
     if (const auto trodden = grass::tread(*mask, source.path); !trodden)
-        return windrow::Error{trodden.error()};
+        return trodden.failure();
     for (const Stroke& stroke : source.strokes)
         if (const auto touched = stroke.erases ? mask->erase(stroke.brush) : mask->paint(stroke.brush); !touched)
-            return windrow::Error{touched.error()};
+            return touched.failure();
     return mask;
 }
 
@@ -55,11 +55,11 @@ windrow::Result<grass::PlacementMask> read_pgm(const std::filesystem::path& file
     const auto bytes =
         windrow::detail::read_input(file, {.folder = around.folder, .max_bytes = grass::PlacementMask::k_max_pgm_bytes}, budget);
     if (!bytes)
-        return windrow::Error{bytes.error()};
+        return bytes.failure();
     auto mask = grass::PlacementMask::from_pgm(*bytes, extent, file.string(), budget.memory_left() / sizeof(float));
     if (mask)
         if (auto taken = budget.take_memory(file.string(), mask->values().size_bytes()); !taken)
-            return windrow::Error{taken.error()};
+            return taken.failure();
     return mask;
 }
 

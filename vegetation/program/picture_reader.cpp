@@ -89,7 +89,7 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
 windrow::Result<windrow::scene::BodyBox> read_box(const std::filesystem::path& file, const fur::MeshLoad& load,
                                                   const std::filesystem::path& folder, windrow::detail::InputBudget& budget) {
     const auto mesh = fur::read_mesh(file, load, folder, budget);
-    return mesh ? windrow::Result(windrow::scene::BodyBox{mesh->low, mesh->high}) : windrow::Error{mesh.error()};
+    return mesh ? windrow::Result(windrow::scene::BodyBox{mesh->low, mesh->high}) : mesh.failure();
 }
 
 /// What the air needs of a picture that was read without a fault from `value`.
@@ -110,7 +110,7 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
                                         windrow::detail::InputBudget& budget, std::vector<windrow::scene::KnownKey>* known) {
     const auto document = windrow::scene::parse_json(text, file.string());
     if (!document)
-        return windrow::Error{document.error()};
+        return document.failure();
     auto air = windrow::scene::read_scene_json(*document, file, budget, nullptr, windrow::pictures::read_heights);
     static const json k_none = json::object();
     const bool given = document->is_object() && document->contains("picture") && (*document)["picture"].is_object();
@@ -180,7 +180,7 @@ windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& fi
     windrow::detail::InputBudget budget;
     const auto text = windrow::scene::read_text_file(file, {.max_bytes = windrow::scene::k_max_scene_bytes}, budget);
     if (!text)
-        return windrow::Error{text.error()};
+        return text.failure();
     return read_text(*text, file, budget, nullptr);
 }
 

@@ -94,7 +94,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     if (first == end)
         return Kept{.before = end - asked};
     if (auto settled = scene_renderer.warm_up(); !settled)
-        return Error{settled.error()};
+        return settled.failure();
     Kept kept{.before = first - asked};
     kept.stages = program::StageTable(scene_renderer);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
@@ -102,11 +102,11 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
         if (auto done = frame < lead ? scene_renderer.skip() : scene_renderer.draw(frame >= first); !done)
-            return Error{done.error()};
+            return done.failure();
         if (frame < first)
             continue;
         if (auto written = keep(options, scene_renderer, frame); !written)
-            return Error{written.error()};
+            return written.failure();
         kept.stages.add(frame, scene_renderer.times());
         if ((frame - first) % every == 0)
             kept.sheet.push_back(scene_renderer.images().picture());
@@ -128,7 +128,7 @@ int complain(const std::string& sentence, int code) {
 /// One sheet of pictures, `width` px each.
 Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int width, const std::filesystem::path& file) {
     const auto sheet = windrow::pictures::contact_sheet(pictures, 4, width);
-    return sheet ? windrow::pictures::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
+    return sheet ? windrow::pictures::write_png(*sheet, file) : Result<void>(sheet.failure());
 }
 
 /// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.

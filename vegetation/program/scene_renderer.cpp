@@ -30,14 +30,14 @@ SceneRenderer::SceneRenderer(const PictureScene& scene, const SceneRendererSetti
 Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const PictureScene& scene, const SceneRendererSettings& settings) {
     std::unique_ptr<SceneRenderer> made(new SceneRenderer(scene, settings));
     if (auto ready = made->make(); !ready)
-        return Error{scene.air.file.string() + ": " + ready.error()};
+        return ready.failure().after(scene.air.file.string() + ": ");
     return made;
 }
 
 Result<void> SceneRenderer::make() {
     auto device = engine::Device::create({.staged = settings_.staged});
     if (!device)
-        return Error{device.error()};
+        return device.failure();
     device_ = *std::move(device);
     const Picture& picture = scene_.picture;
     windrow::Config air = scene_.air.air;
@@ -58,7 +58,7 @@ Result<void> SceneRenderer::make() {
     const bool asked = settings_.show == Show::streaks || Figures::any(scene_); // by the host, for streaks and cloaks
     auto wind = Air::create(*device_, air, {.backend = settings_.backend, .pass_times = settings_.pass_times, .queries = asked});
     if (!wind)
-        return Error{"$.air: " + wind.error()};
+        return wind.failure().after("$.air: ");
     air_ = *std::move(wind);
     if (auto begun = scene_air_.begin(air_->control()); !begun)
         return begun;
@@ -84,13 +84,13 @@ Result<void> SceneRenderer::make() {
                                               .anchor = anchor_,
                                               .counts = settings_.counts});
     if (!renderer)
-        return Error{"$.picture: " + renderer.error()};
+        return renderer.failure().after("$.picture: ");
     renderer_ = *std::move(renderer);
 
     if (picture.ground_memory) {
         auto memory = windrow::vulkan::GroundMemory::create(device_->host(), *picture.ground_memory);
         if (!memory)
-            return Error{"$.picture.ground_memory: " + memory.error()};
+            return memory.failure().after("$.picture.ground_memory: ");
         ground_ = *std::move(memory);
     }
     const render::DrawTargets targets = renderer_->draw_targets();
@@ -100,12 +100,12 @@ Result<void> SceneRenderer::make() {
         return grown;
     auto furred = FurredBodies::create(*device_, targets, scene_, anchor_);
     if (!furred)
-        return Error{furred.error()};
+        return furred.failure();
     furred_ = *std::move(furred);
     furred_->add_to(*renderer_);
     auto figures = Figures::create(*device_, targets, scene_, anchor_);
     if (!figures)
-        return Error{figures.error()};
+        return figures.failure();
     figures_ = *std::move(figures);
     figures_->add_to(*renderer_);
     if (auto stand = make_bodies(targets); !stand)
@@ -116,7 +116,7 @@ Result<void> SceneRenderer::make() {
         return seen;
     auto frames = engine::Frames::create(*device_);
     if (!frames)
-        return Error{frames.error()};
+        return frames.failure();
     frames_ = *std::move(frames);
     return {};
 }
@@ -128,7 +128,7 @@ Result<void> SceneRenderer::make_grass(const render::DrawTargets& targets) {
         drawn.max_blades = settings_.max_blades.value_or(drawn.max_blades);
         auto made = render::GrassLayer::create(*device_, targets, ground, *layer.mask.mask, drawn);
         if (!made)
-            return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
+            return made.failure().after("$.picture.grass, " + layer.name + ": ");
         if (ground_)
             (*made)->set_ground(&*ground_);
         renderer_->add(**made);
@@ -142,7 +142,7 @@ Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
     for (const StandSource& stand : scene_.picture.trees) {
         auto kind = trees::preset(stand.kind);
         if (!kind)
-            return Error{"$.picture.trees: " + kind.error()};
+            return kind.failure().after("$.picture.trees: ");
         kind->tree.seed = stand.seed;
         trees::TreeStandSettings settings{.kind = *std::move(kind),
                                           .variants = stand.variants,
@@ -154,12 +154,12 @@ Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
                 {.base = {place.at.x, height(place.at.x, place.at.y), place.at.y}, .size = place.size, .yaw_deg = place.yaw_deg});
         const auto places = trees::places_of(settings, height);
         if (!places)
-            return Error{"$.picture.trees: " + places.error()};
+            return places.failure().after("$.picture.trees: ");
         if (places->empty())
             continue;
         auto made = trees::TreeStand::create(*device_, targets, settings, *places, anchor_);
         if (!made)
-            return Error{"$.picture.trees: " + made.error()};
+            return made.failure().after("$.picture.trees: ");
         renderer_->add(**made);
         trees_.push_back(*std::move(made));
     }
@@ -177,7 +177,7 @@ Result<void> SceneRenderer::make_bodies(const render::DrawTargets& targets) {
         return {};
     auto made = render::Bodies::create(*device_, targets, shapes);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     bodies_ = *std::move(made);
     renderer_->add(*bodies_);
     return {};
@@ -224,7 +224,7 @@ Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
         return {};
     auto made = render::Bodies::create(*device_, targets, shapes);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     obstacles_ = *std::move(made);
     renderer_->add(*obstacles_);
     return {};
@@ -272,7 +272,7 @@ Result<void> SceneRenderer::make_views(const render::DrawTargets& targets) {
     view.scale = scene_.air.pictures.speed_scale;
     auto made = render::WindArrows::create(*device_, targets, view);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     arrows_ = *std::move(made);
     renderer_->add(*arrows_);
     return {};
@@ -283,7 +283,7 @@ Result<void> SceneRenderer::make_streaks(const render::DrawTargets& targets) {
     const render::StreakBox held{air_->control().origin(), glm::dvec3(box.size())};
     auto made = render::WindStreaks::create(*device_, targets, {}, held);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     streaks_ = *std::move(made);
     renderer_->add(*streaks_);
     return {};
@@ -360,7 +360,7 @@ Result<void> SceneRenderer::warm_up() {
     const auto step = [&](double dt, std::int64_t left) -> Result<void> {
         const auto frame = frames_->begin();
         if (!frame)
-            return Error{frame.error()};
+            return frame.failure();
         auto walked = record_air(*frame, dt);
         if (walked)
             walked = walk(*frame, 0.0, 0.0);
@@ -379,7 +379,7 @@ Result<void> SceneRenderer::warm_up() {
 Result<void> SceneRenderer::skip() {
     const auto frame = frames_->begin();
     if (!frame)
-        return Error{frame.error()};
+        return frame.failure();
     auto blown = blow(*frame, start_of(frame_), end_of(frame_));
     if (blown)
         blown = swing(*frame, end_of(frame_), end_of(frame_) - start_of(frame_));
@@ -392,7 +392,7 @@ Result<void> SceneRenderer::draw(bool copied) {
     const double now = end_of(frame_);
     const auto begun = frames_->begin();
     if (!begun)
-        return Error{begun.error()};
+        return begun.failure();
     const engine::Frame frame = *begun;
     renderer_->begin(frame);
     auto done = blow(frame, start_of(frame_), now);

@@ -86,9 +86,9 @@ windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& 
         return windrow::Error{reasons.take()};
     auto field = grass::GrassField::create(device, ground.heights, mask, settings.field);
     if (!field)
-        return windrow::Error{field.error()};
+        return field.failure();
     if (auto placed = field->place(ground.corner); !placed)
-        return windrow::Error{placed.error()};
+        return placed.failure();
     return engine::guarded([&] {
         std::unique_ptr<GrassLayer> made(new GrassLayer(device, *std::move(field), settings));
         made->make(targets);
@@ -183,7 +183,7 @@ Result<void> GrassLayer::prepare(const PassContext& context) {
     begin_swing(context);
     const auto culled = field_.record_cull(context.commands, camera); // waits for what was filled
     if (!culled)
-        return Error{culled.error()};
+        return culled.failure();
     report_ = *culled;
     const bool remembers = ground_ != nullptr && ground_->texture().view != VK_NULL_HANDLE;
     if (remembers)

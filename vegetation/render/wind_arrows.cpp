@@ -34,7 +34,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 Result<std::unique_ptr<WindArrows>> WindArrows::create(engine::Device& device, const DrawTargets& targets,
                                                        const WindArrowSettings& settings) {
     if (auto judged = validate(settings); !judged)
-        return Error{judged.error()};
+        return judged.failure();
     return engine::guarded([&] { return std::unique_ptr<WindArrows>(new WindArrows(device, targets, settings)); });
 }
 

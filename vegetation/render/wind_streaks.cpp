@@ -96,7 +96,7 @@ void StreakWays::advance(double dt, const Velocity& velocity, const Blocked& blo
 Result<std::unique_ptr<WindStreaks>> WindStreaks::create(engine::Device& device, const DrawTargets& targets,
                                                          const WindStreakSettings& settings, const StreakBox& box) {
     if (auto judged = validate(settings); !judged)
-        return Error{judged.error()};
+        return judged.failure();
     return engine::guarded([&] { return std::unique_ptr<WindStreaks>(new WindStreaks(device, targets, settings, box)); });
 }
 

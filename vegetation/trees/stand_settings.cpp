@@ -65,7 +65,7 @@ windrow::Result<void> validate(const TreeStandSettings& stand) {
 
 windrow::Result<std::vector<TreePlace>> scatter(const TreeScatter& s, const GroundHeight& ground) {
     if (auto judged = validate(s); !judged)
-        return windrow::Error{judged.error()};
+        return judged.failure();
     Chance chance(s.seed, 6);
     Neighbours neighbours(s.apart);
     std::vector<TreePlace> places;
@@ -90,11 +90,11 @@ windrow::Result<std::vector<TreePlace>> scatter(const TreeScatter& s, const Grou
 
 windrow::Result<std::vector<TreePlace>> places_of(const TreeStandSettings& stand, const GroundHeight& ground) {
     if (auto judged = validate(stand); !judged)
-        return windrow::Error{judged.error()};
+        return judged.failure();
     std::vector<TreePlace> places = stand.places;
     auto scattered = scatter(stand.scatter, ground);
     if (!scattered)
-        return windrow::Error{scattered.error()};
+        return scattered.failure();
     places.insert(places.end(), scattered->begin(), scattered->end());
     return places;
 }

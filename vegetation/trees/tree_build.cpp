@@ -245,7 +245,7 @@ class Builder {
 
 windrow::Result<TreeModel> build(const TreeSettings& settings) {
     if (auto judged = validate(settings); !judged)
-        return windrow::Error{judged.error()};
+        return judged.failure();
     return Builder(settings).build();
 }
 

@@ -53,7 +53,7 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
     TreeStandSettings judged = settings;
     judged.places.assign(places.begin(), places.end());
     if (auto valid = validate(judged); !valid)
-        return windrow::Error{valid.error()};
+        return valid.failure();
     if (places.empty())
         return windrow::Error{"stand.places is empty; give at least one place, or leave the stand out."};
     std::vector<TreeModel> models;

@@ -37,7 +37,7 @@ void turn(VkCommandBuffer commands, const Image& image, const ImageState& from, 
 Result<std::unique_ptr<CpuWind>> CpuWind::create(Device& device, const Config& config) {
     auto air = windrow::Wind::create(config);
     if (!air)
-        return Error{air.error()};
+        return air.failure();
     return create(device, *std::move(air));
 }
 

@@ -83,10 +83,10 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
                                           .wished = wished,
                                           .get_instance_proc_addr = vkGetInstanceProcAddr}); // which this library links
     if (!own)
-        return Error{own.error()};
+        return own.failure();
     auto made = adopt((*own)->host(), (*own)->queue(), settings);
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     (*made)->state_->counts_vertices = (*own)->features().pipelineStatisticsQuery == VK_TRUE;
     (*made)->state_->own = *std::move(own);
     return made;
@@ -95,11 +95,11 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
 Result<std::unique_ptr<Device>> Device::adopt(const vulkan::Host& host, VkQueue queue, const DeviceSettings& settings) {
     const auto functions = vulkan::load_functions(host);
     if (!functions)
-        return Error{functions.error()};
+        return functions.failure();
     if (auto fits = vulkan::check(host.instance, host.physical_device, host.get_instance_proc_addr); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     if (auto fits = check_queue(host, queue); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     auto state = std::make_unique<State>();
     state->host = host;
     state->queue = queue;

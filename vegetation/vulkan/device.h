@@ -88,7 +88,7 @@ class Device {
     [[nodiscard]] Result<std::vector<Value>> read(VkBuffer from, std::size_t first, std::size_t count) {
         std::vector<Value> values(count);
         if (auto done = read_bytes(from, first * sizeof(Value), count * sizeof(Value), values.data()); !done)
-            return Error{done.error()};
+            return done.failure();
         return values;
     }
     /// Makes what the device has written to a read-back visible to the host, once the frame is done.

@@ -29,15 +29,15 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
 
     auto lent = vulkan::Device::create(own.host());
     if (!lent)
-        return Error{lent.error()};
+        return lent.failure();
     auto contest = DeviceContest::create(own, **lent);
     if (!contest)
-        return Error{contest.error()};
+        return contest.failure();
     auto plain = PlainPasses::create(**lent, request.cells);
     if (!plain)
-        return Error{plain.error()};
+        return plain.failure();
     if (auto filled = own.run([&](VkCommandBuffer commands) { plain->fill(commands); }); !filled)
-        return Error{filled.error()};
+        return filled.failure();
 
     struct Own {
         const char* name;
@@ -50,7 +50,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
         settings.frames_in_flight = 2;
         auto wind = vulkan::Wind::create(own.host(), config, settings);
         if (!wind) {
-            made = Error{wind.error()};
+            made = wind.failure();
             return;
         }
         winds.push_back({name, std::make_unique<WindRecordings>(*std::move(wind), RecordingPlan{.flow = flow})});
@@ -60,7 +60,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
     add("one_substep", single, {});
     add("passes", single, {.timestamps = true}); // empty sub-steps would be in its sums
     if (!made)
-        return Error{made.error()};
+        return made.failure();
     const auto add_plain = [&](void (PlainPasses::*pass)(VkCommandBuffer)) {
         PlainPasses* const passes = &*plain;
         return contest->add({.warm = [=](VkCommandBuffer commands) { (passes->*pass)(commands); },
@@ -72,7 +72,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
         {.seconds = request.seconds, .warm_seconds = k_warm_fraction * request.seconds, .least_samples = k_device_samples},
         stopped);
     if (!held)
-        return Error{held.error()};
+        return held.failure();
     if (*held == DeviceContest::End::stopped)
         return std::optional<DeviceGridResult>();
 
@@ -96,9 +96,9 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
 
     auto cpu = windrow::Wind::create(usual);
     if (!cpu)
-        return Error{cpu.error()};
+        return cpu.failure();
     if (auto compared = first.compare(own, *cpu, result); !compared)
-        return Error{compared.error()};
+        return compared.failure();
     return std::optional(std::move(result));
 }
 

@@ -23,7 +23,7 @@ DeviceSpread device_spread(const std::vector<float>& values) {
 Result<DeviceContest> DeviceContest::create(vulkan::OwnDevice& own, vulkan::Device& device) {
     auto timestamps = vulkan::Timestamps::create(device, 1 + k_device_intervals);
     if (!timestamps)
-        return Error{timestamps.error()};
+        return timestamps.failure();
     DeviceContest contest;
     contest.own_ = &own;
     contest.timestamps_ = *std::move(timestamps);
@@ -72,7 +72,7 @@ Result<bool> DeviceContest::round(std::size_t number, bool counts, const std::fu
         if (stopped())
             return false;
         if (auto done = turn(entries_[(place + number / 2) % count], counts); !done)
-            return Error{done.error()};
+            return done.failure();
     }
     return true;
 }
@@ -84,14 +84,14 @@ Result<DeviceContest::End> DeviceContest::hold(const ContestTimes& times, const 
     const auto warm_start = now();
     for (std::size_t n = 0; n == 0 || past(warm_start) < times.warm_seconds; ++n)
         if (auto whole = round(n, false, stopped); !whole || !*whole)
-            return whole ? Result<End>(End::stopped) : Error{whole.error()};
+            return whole ? Result<End>(End::stopped) : whole.failure();
     const auto start = now();
     for (rounds_ = 0;; ++rounds_) {
         const bool time_is_up = past(start) >= times.seconds;
         if (rounds_ > 0 && (software ? time_is_up || rounds_ >= k_device_samples : time_is_up && rounds_ >= times.least_samples))
             return End::whole;
         if (auto whole = round(rounds_, true, stopped); !whole || !*whole)
-            return whole ? Result<End>(End::stopped) : Error{whole.error()};
+            return whole ? Result<End>(End::stopped) : whole.failure();
     }
 }
 

@@ -22,13 +22,13 @@ Result<PlainPasses> PlainPasses::create(Device& device, glm::ivec3 cells) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         plain.groups_[axis] = (static_cast<std::uint32_t>(cells[static_cast<int>(axis)]) + k_group[axis] - 1) / k_group[axis];
     if (auto fits = device.check({.groups = plain.groups_, .local_size = k_group, .name = "plain_stencil"}); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     const auto bytes = sizeof(glm::vec4) * static_cast<VkDeviceSize>(cells.x) * static_cast<VkDeviceSize>(cells.y) *
                        static_cast<VkDeviceSize>(cells.z);
     for (Buffer& field : plain.fields_) {
         auto made = Buffer::create(device, bytes, MemoryUse::device);
         if (!made)
-            return Error{made.error()};
+            return made.failure();
         field = *std::move(made);
     }
     const std::vector<VkDescriptorType> kinds(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -38,7 +38,7 @@ Result<PlainPasses> PlainPasses::create(Device& device, glm::ivec3 cells) {
                                               .push_bytes = 4 * sizeof(std::int32_t),
                                               .name = "plain_stencil"});
     if (!pipeline)
-        return Error{pipeline.error()};
+        return pipeline.failure();
     plain.pipeline_ = *std::move(pipeline);
     std::vector<Sets::Content> contents;
     for (const int from : {0, 1})
@@ -47,7 +47,7 @@ Result<PlainPasses> PlainPasses::create(Device& device, glm::ivec3 cells) {
                              {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = plain.fields_[from ^ 1].handle()}}});
     auto sets = Sets::create(device, contents);
     if (!sets)
-        return Error{sets.error()};
+        return sets.failure();
     plain.sets_ = *std::move(sets);
     return plain;
 }

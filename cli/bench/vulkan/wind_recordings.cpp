@@ -38,7 +38,7 @@ void WindRecordings::record(VkCommandBuffer commands, int slot) {
     const auto report = wind_.record_step(commands, {.dt = plan_.dt, .slot = slot});
     if (!report) {
         if (recorded_)
-            recorded_ = Error{report.error()};
+            recorded_ = report.failure();
         return;
     }
     max_substeps_ = std::max(max_substeps_, report->substeps);
@@ -113,7 +113,7 @@ Result<void> WindRecordings::compare(vulkan::OwnDevice& own, windrow::Wind& cpu,
     // A recording without time takes what the last one read back.
     const auto ran = own.run([&](VkCommandBuffer commands) {
         if (const auto paused = wind_.record(commands, {.dt = 0.0, .slot = 1}); recorded_ && !paused)
-            recorded_ = Error{paused.error()};
+            recorded_ = paused.failure();
     });
     if (!ran || !recorded_)
         return ran ? recorded_ : ran;

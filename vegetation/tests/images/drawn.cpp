@@ -32,14 +32,14 @@ Result<PictureScene> read_scene(const std::string& name) {
 Result<render::Picture8> last_picture(const PictureScene& scene, const SceneRendererSettings& settings, int drawn) {
     auto scene_renderer = SceneRenderer::create(scene, settings);
     if (!scene_renderer)
-        return Error{scene_renderer.error()};
+        return scene_renderer.failure();
     if (auto settled = (*scene_renderer)->warm_up(); !settled)
-        return Error{settled.error()};
+        return settled.failure();
     const auto frames = static_cast<std::int64_t>(std::llround(scene.air.duration * (*scene_renderer)->frames_per_second())) + 1;
     while ((*scene_renderer)->frame() < frames)
         if (auto done = (*scene_renderer)->frame() < frames - drawn ? (*scene_renderer)->skip() : (*scene_renderer)->draw();
             !done)
-            return Error{done.error()};
+            return done.failure();
     return (*scene_renderer)->images().picture();
 }
 
