@@ -5,15 +5,10 @@
 //   forced                      dt = h / 2. A step acts with the force of its middle: the motor is set to it first
 //
 // Error = |u - reference|_2 / |reference - mean|_2 over the cell centres, order 2 at a fixed CFL number.
+#include "cases/spectral_solutions.h"
 #include "cases/whole_step.h"
 
-#if WINDROW_CASES_FFTW
-#include "cases/spectral_solutions.h"
-#endif
-
 namespace windrow::cases {
-
-#if WINDROW_CASES_FFTW
 
 namespace {
 
@@ -58,7 +53,7 @@ VerifyRow forced_flow(const VerifySetting& setting, int size) {
 
 std::vector<VerifyCase> spectral_cases() {
     return {
-        {.name = "taylor_green_3d",
+        {.name = k_spectral_names[0],
          .what = "Taylor and Green's vortices in space, stretched into sheets, nu = 1/200, T = 3; error of the velocity.",
          .source = "Brachet et al. 1983, J. Fluid Mech. 130 (the flow); a pseudo-spectral solution with 80^3 points",
          .reason =
@@ -67,7 +62,7 @@ std::vector<VerifyCase> spectral_cases() {
          .min_order = 1.9,
          .sizes = {16, 32, 64},
          .run = taylor_green_3d},
-        {.name = "forced_flow",
+        {.name = k_spectral_names[1],
          .what = "Vortices in a mean wind that cross a motor, which moves and whose force rises and falls; error of the velocity "
                  "without the mean.",
          .source = "a pseudo-spectral solution with the same force, 128^2 points",
@@ -80,13 +75,5 @@ std::vector<VerifyCase> spectral_cases() {
          .run = forced_flow},
     };
 }
-
-#else
-
-std::vector<VerifyCase> spectral_cases() {
-    return {};
-}
-
-#endif
 
 } // namespace windrow::cases

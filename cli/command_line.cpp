@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -91,8 +92,13 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
         });
 #endif
     add_plants(app, chosen, console);
-    app.add_subcommand("info", "Print version, compiler, SIMD level, cores, Vulkan devices and the options of this build")
-        ->callback([&] { chosen = [&console] { return run_info(console); }; });
+    CLI::App* const info =
+        app.add_subcommand("info", "Print version, compiler, SIMD level, cores, Vulkan devices and the options of this build");
+    const auto licences = std::make_shared<bool>(false);
+    info->add_flag("--licences", *licences, "Print the licence and those of what is linked, and nothing else");
+    info->callback([&chosen, &console, licences] {
+        chosen = [&console, licences] { return *licences ? print_licences(console) : run_info(console); };
+    });
     app.parse(count, arguments);
 }
 

@@ -3,7 +3,8 @@
 #include "cli/backend.h"
 #include "fluid/core/message.h"
 #include "fluid/simd.h"
-#include "windrow_commit.h" // made by commit.cmake
+#include "windrow_commit.h"   // made by commit.cmake
+#include "windrow_licences.h" // made by CMakeLists.txt
 #if WINDROW_WITH_VDB
 #include "fluid/vdb/vdb_export.h"
 #endif
@@ -61,6 +62,12 @@ int run_info(const Console& console) {
         console.out << head << line << "\n";
         head = "              ";
     }
+    console.out << "  licences    windrow info --licences\n";
+    return k_exit_well;
+}
+
+int print_licences(const Console& console) {
+    console.out << k_windrow_licences;
     return k_exit_well;
 }
 

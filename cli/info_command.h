@@ -24,6 +24,8 @@ namespace windrow::cli {
 
 /// Prints all of it and the machine's devices. Returns the exit code.
 int run_info(const Console& console);
+/// Prints LICENSE and NOTICE.
+int print_licences(const Console& console);
 
 /// Cores that this process may use, at least 1.
 [[nodiscard]] int usable_cores();

@@ -9,7 +9,7 @@
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
 #   share/windrow/scenes             scenes, and their schema for editors; pictures and meshes that are made are left out
-#   share/doc/windrow                README, CHANGELOG, the pages of docs/ with their pictures, LICENSE
+#   share/doc/windrow                README, CHANGELOG, the pages of docs/ with their pictures, LICENSE, NOTICE
 #   bin/windrow, bin/windrow-draw    the programs, where they are built, with their page of the manual and completion for bash and zsh
 option(WINDROW_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT WINDROW_INSTALL)
@@ -153,7 +153,9 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/windrowConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/windrowConfig.cmake ${PROJECT_BINARY_DIR}/windrowConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/WindrowOpenVDB.cmake ${CMAKE_CURRENT_LIST_DIR}/WindrowVulkanHeaders.cmake
         DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(file IN ITEMS LICENSE NOTICE README.md CHANGELOG.md)
+  install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow
         PATTERN "ground.pgm" EXCLUDE REGEX "/fur/.*[.](obj|mtl|pgm|ppm)$" EXCLUDE)

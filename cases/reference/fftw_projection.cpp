@@ -32,9 +32,7 @@ double eigenvalue(int n, int k) {
     return -4.0 * half_sine * half_sine;
 }
 
-} // namespace
-
-struct FftwProjection::State {
+struct State {
     glm::ivec3 cells;
     std::size_t size;
     float scale; ///< h^2, and what FFTW leaves in a transform there and back
@@ -43,8 +41,18 @@ struct FftwProjection::State {
     Plan there, back;
 };
 
-FftwProjection::FftwProjection(glm::ivec3 cells, float cell_size) : state_(std::make_unique<State>()) {
-    State& state = *state_;
+class PlannedProjection final : public FftwProjection {
+  public:
+    PlannedProjection(glm::ivec3 cells, float cell_size);
+    std::span<float> values() override { return {state_.values.get(), state_.size}; }
+    void solve() override;
+
+  private:
+    State state_;
+};
+
+PlannedProjection::PlannedProjection(glm::ivec3 cells, float cell_size) {
+    State& state = state_;
     state.cells = cells;
     state.size = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z);
     state.scale = cell_size * cell_size / (4.0f * static_cast<float>(cells.x + 1) * static_cast<float>(cells.z + 1));
@@ -72,20 +80,20 @@ FftwProjection::FftwProjection(glm::ivec3 cells, float cell_size) : state_(std::
         }
 }
 
-FftwProjection::~FftwProjection() = default;
-
-std::span<float> FftwProjection::values() {
-    return {state_->values.get(), state_->size};
+void PlannedProjection::solve() {
+    fftwf_execute(state_.there.get());
+    const glm::ivec3 cells = state_.cells;
+    const auto plane = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
+    for (std::size_t first = 0; first < state_.size; first += plane)
+        kernels_for(Simd::best)
+            .solve_columns(state_.spectrum.get() + first, state_.pivots.data() + first, state_.scale, cells.x, cells.y);
+    fftwf_execute(state_.back.get());
 }
 
-void FftwProjection::solve() {
-    fftwf_execute(state_->there.get());
-    const glm::ivec3 cells = state_->cells;
-    const auto plane = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
-    for (std::size_t first = 0; first < state_->size; first += plane)
-        kernels_for(Simd::best)
-            .solve_columns(state_->spectrum.get() + first, state_->pivots.data() + first, state_->scale, cells.x, cells.y);
-    fftwf_execute(state_->back.get());
+} // namespace
+
+std::unique_ptr<FftwProjection> FftwProjection::create(glm::ivec3 cells, float cell_size) {
+    return std::make_unique<PlannedProjection>(cells, cell_size);
 }
 
 } // namespace windrow::reference

@@ -16,22 +16,17 @@
 
 namespace windrow::reference {
 
-/// Built where WINDROW_CASES_FFTW is 1. One thread. Not to be created in two threads at once: FFTW's planner is shared.
+/// One thread. Not to be created in two threads at once: FFTW's planner is shared.
 class FftwProjection {
   public:
-    /// Plans with FFTW_MEASURE, which takes up to some seconds. `cells` each >= 1; `cell_size` [m] > 0.
-    FftwProjection(glm::ivec3 cells, float cell_size);
-    ~FftwProjection();
-    FftwProjection(const FftwProjection&) = delete;
-    FftwProjection& operator=(const FftwProjection&) = delete;
+    /// Plans with FFTW_MEASURE, which takes up to some seconds. `cells` each >= 1; `cell_size` [m] > 0. Null in a program that does
+    /// not link windrow_fftw: FFTW is under the GPL, and what is installed is not.
+    [[nodiscard]] static std::unique_ptr<FftwProjection> create(glm::ivec3 cells, float cell_size);
+    virtual ~FftwProjection() = default;
 
     /// Dense, x fastest, aligned as FFTW wishes: write the right-hand side here, call solve, read phi.
-    [[nodiscard]] std::span<float> values();
-    void solve();
-
-  private:
-    struct State;
-    std::unique_ptr<State> state_;
+    [[nodiscard]] virtual std::span<float> values() = 0;
+    virtual void solve() = 0;
 };
 
 } // namespace windrow::reference

@@ -2,6 +2,7 @@
 
 #include "cases/jets.h"
 #include "cases/reference/copy.h"
+#include "cases/reference/fftw_projection.h"
 #include "cases/reference/jacobi.h"
 #include "cases/reference/residual.h"
 #include "cases/reference/stam.h"
@@ -12,9 +13,6 @@
 #include "fluid/allocator.h"
 #include "fluid/core/message.h"
 #include "fluid/operators.h"
-#if WINDROW_CASES_FFTW
-#include "cases/reference/fftw_projection.h"
-#endif
 #if WINDROW_CASES_OPENVDB
 #include "cases/reference/vdb_poisson.h"
 #endif
@@ -290,20 +288,21 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     const std::size_t direct_number = contest.add(direct.contestant());
 
     GridResult result{.cells = cells};
-#if WINDROW_CASES_FFTW
     auto serial_work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd});
     if (!serial_work)
         return serial_work.failure();
     DirectContestant serial(std::move(*serial_work), rhs);
-    const std::size_t serial_number = contest.add(serial.contestant());
-    reference::FftwProjection fftw(cells, box.cell_size);
-    const std::size_t fftw_number = contest.add({.run = [&] { fftw.solve(); },
-                                                 .prepare = [&] { std::copy(rhs.begin(), rhs.end(), fftw.values().begin()); },
-                                                 .note = [] {},
-                                                 .repeats = false});
-#else
-    result.left_out += "FFTW was not found when this windrow was built. ";
-#endif
+    std::size_t serial_number = 0, fftw_number = 0;
+    const auto fftw = reference::FftwProjection::create(cells, box.cell_size);
+    if (fftw) {
+        serial_number = contest.add(serial.contestant());
+        fftw_number = contest.add({.run = [&] { fftw->solve(); },
+                                   .prepare = [&] { std::copy(rhs.begin(), rhs.end(), fftw->values().begin()); },
+                                   .note = [] {},
+                                   .repeats = false});
+    } else {
+        result.left_out += detail::message("FFTW's solve is in ", k_where_fftw_is, ". ");
+    }
 
     if (!contest.hold(request.seconds, stopped))
         return std::optional<GridResult>();
@@ -326,13 +325,13 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     result.jacobi40 = {contest.milliseconds(jacobi_number), reference::relative_residual(box, rhs, iterated)};
     result.jacobi40_gradient_error = reference::relative_gradient_error(box, iterated, exact);
     result.direct_vs_jacobi40 = contest.ratio(direct_number, jacobi_number);
-#if WINDROW_CASES_FFTW
-    result.direct_one_thread =
-        SolverResult{contest.milliseconds(serial_number), reference::relative_residual(box, rhs, dense(box, serial.phi()))};
-    result.fftw =
-        SolverResult{contest.milliseconds(fftw_number), reference::relative_residual(box, rhs, dense(box, fftw.values()))};
-    result.direct_vs_fftw = contest.ratio(serial_number, fftw_number);
-#endif
+    if (fftw) {
+        result.direct_one_thread =
+            SolverResult{contest.milliseconds(serial_number), reference::relative_residual(box, rhs, dense(box, serial.phi()))};
+        result.fftw =
+            SolverResult{contest.milliseconds(fftw_number), reference::relative_residual(box, rhs, dense(box, fftw->values()))};
+        result.direct_vs_fftw = contest.ratio(serial_number, fftw_number);
+    }
     result.vdb = measure_vdb(box, rhs, threads, request.seconds, stopped, result.left_out);
     if (stopped())
         return std::optional<GridResult>();

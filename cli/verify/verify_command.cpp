@@ -8,6 +8,7 @@
 #include "scene/nearest_word.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace windrow::cli {
@@ -24,6 +25,8 @@ const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string
 [[noreturn]] void reject_case(const std::string& name, std::span<const VerifyCase> known) {
     if (name.empty())
         reject("--case is empty: see windrow verify --list.");
+    if (std::find(std::begin(k_spectral_names), std::end(k_spectral_names), name) != std::end(k_spectral_names))
+        reject("--case is ", name, ", whose truth is solved by FFTW: run ", k_where_fftw_is, ".");
     std::vector<std::string> names;
     for (const VerifyCase& one : known)
         names.push_back(one.name);

@@ -104,7 +104,7 @@ run_expecting_failure("A host whose quaternions begin with w" "Windrow is built 
 
 foreach(file IN ITEMS share/man/man1/windrow.1 share/bash-completion/completions/windrow share/zsh/site-functions/_windrow
                       share/windrow/scenes/scene.schema.json share/windrow/scenes/walk.json share/doc/windrow/README.md
-                      share/doc/windrow/docs/how_it_works.md)
+                      share/doc/windrow/docs/how_it_works.md share/doc/windrow/NOTICE)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

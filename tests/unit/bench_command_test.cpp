@@ -1,4 +1,5 @@
 // `windrow bench` as a user meets it: sentences, table, file. Nothing here asks how fast anything is.
+#include "cases/verify_case.h"
 #include "cli/bench/bench_command.h"
 #include "cli/bench/contest.h"
 #include "cli/console.h"
@@ -123,7 +124,7 @@ TEST_F(BenchCommand, FiguresAreToldAndKept) {
         expect_spread(reference, key);
     for (const char* key : {"jacobi40_residual", "jacobi40_gradient_error", "direct_residual", "direct_vs_jacobi40"})
         expect_positive(reference, key);
-    if (WINDROW_CASES_FFTW) {
+    if (!cases::spectral_cases().empty()) { // FFTW is linked
         expect_spread(reference, "fftw_ms");
         expect_spread(reference, "direct_one_thread_ms");
         expect_positive(reference, "fftw_residual");

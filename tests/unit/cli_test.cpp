@@ -63,6 +63,9 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
     const CommandOutcome info = run({"info"});
     EXPECT_EQ(info.code, k_exit_well);
     expect_words(info.out, {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures", "Vulkan"});
+    const CommandOutcome licences = run({"info", "--licences"});
+    EXPECT_EQ(licences.code, k_exit_well);
+    expect_words(licences.out, {"Apache License", "Name:    GLM", "MIT License", "Niels Lohmann", "FFTW"});
 }
 
 TEST_F(Command, WrongFlagsAreNamed) {
