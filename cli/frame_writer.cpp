@@ -1,7 +1,6 @@
 #include "cli/frame_writer.h"
 
 #include "fluid/core/message.h"
-#include "scene/number_text.h"
 #if WINDROW_WITH_VDB
 #include "cli/vdb_frames.h"
 #endif
@@ -141,7 +140,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
     for (const scene::SceneMotor& motor : scene_->motors)
         ++settings.motors_of_scene[motor.motor.index()];
     parts_ = frame_parts(playback.wind(), settings);
-    const std::filesystem::path file = folder_ / numbered("frame_", frame, ".png");
+    const std::filesystem::path file = folder_ / images_of().name(frame);
     const auto drawn = draw_frame(playback.wind(), time, trails, motors, obstacles, settings, file);
     picture_seconds_ += seconds_since(begin);
     if (!drawn)
@@ -183,32 +182,17 @@ Fault FrameWriter::write_contact_sheet() {
     return {};
 }
 
-std::size_t FrameWriter::older_files() const {
-    std::size_t count = 0;
-    std::error_code fault;
-    for (auto entry = std::filesystem::directory_iterator(folder_, fault);
-         !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
-        const std::string name = entry->path().filename().string();
-        for (const auto& [kept, prefix, suffix] :
-             {std::tuple{images_, "frame_", ".png"},
-              std::tuple{vdb_, "vel_", scene_->vdb.format == scene::VdbFormat::nanovdb ? ".nvdb" : ".vdb"}}) {
-            if (!kept || !name.starts_with(prefix) || !name.ends_with(suffix))
-                continue;
-            const std::size_t begin = std::string_view(prefix).size();
-            const auto number = scene::parse_whole_number(
-                std::string_view(name).substr(begin, name.size() - begin - std::string_view(suffix).size()));
-            if (number && (*number > last_ || name != numbered(prefix, *number, suffix)))
-                ++count;
-        }
-    }
-    return count;
+std::string FrameWriter::clear_other_frames(scene::Extent extent) const {
+    std::vector<scene::FrameFiles> kept;
+    if (images_)
+        kept.push_back(images_of());
+    if (vdb_)
+        kept.push_back({"vel_", scene_->vdb.format == scene::VdbFormat::nanovdb ? ".nvdb" : ".vdb", digits_});
+    return scene::clear_other_frames(folder_, kept, last_, extent);
 }
 
-std::string FrameWriter::numbered(const char* prefix, std::int64_t frame, const char* suffix) const {
-    std::string digits = message(frame);
-    digits.insert(0, digits.size() < static_cast<std::size_t>(digits_) ? static_cast<std::size_t>(digits_) - digits.size() : 0,
-                  '0');
-    return message(prefix, digits, suffix);
+scene::FrameFiles FrameWriter::images_of() const {
+    return {"frame_", ".png", digits_};
 }
 
 } // namespace windrow::cli

@@ -5,6 +5,7 @@
 #include "cli/output_file.h"
 #include "cli/pictures.h"
 #include "cli/playback.h"
+#include "scene/frame_files.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -40,13 +41,13 @@ class FrameWriter {
     [[nodiscard]] std::size_t pictures() const { return pictures_.size(); }
     [[nodiscard]] std::size_t vdbs() const { return vdbs_; }
     [[nodiscard]] bool has_contact_sheet() const { return contact_sheet_; }
-    /// Files in the folder that bear names of ours but lie beyond this run's frames: left from another run.
-    [[nodiscard]] std::size_t older_files() const;
+    /// Once all frames are written: what of another run lies in the folder (scene/frame_files.h).
+    [[nodiscard]] std::string clear_other_frames(scene::Extent extent) const;
 
   private:
     [[nodiscard]] Fault write_picture(const Playback& playback, std::int64_t frame);
     [[nodiscard]] Fault write_vdb(Playback& playback, std::int64_t frame);
-    [[nodiscard]] std::string numbered(const char* prefix, std::int64_t frame, const char* suffix) const;
+    [[nodiscard]] scene::FrameFiles images_of() const;
 
     const scene::Scene* scene_;
     std::filesystem::path folder_;

@@ -187,10 +187,6 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .timings = {}};
     if (run.csv)
         run.csv->write(timings_header());
-    if (const std::size_t older = keeps ? run.writer.older_files() : 0; older > 0)
-        console.warn(message(folder.string(), " holds ", older, older == 1 ? " frame" : " frames",
-                             " of another run, which this run does not replace: remove those that you do not want."));
-
     int code = k_exit_well;
     std::int64_t done = 0;
     {
@@ -223,6 +219,13 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
             code = complain_of(fault, console);
     if (code == k_exit_machine || code == k_exit_wrong_use)
         return code;
+
+    const FilmRequest& film = request.film;
+    const bool part = film.frames || film.from || film.to || film.first_frame != 0;
+    if (keeps && done == frames->count)
+        if (const std::string others = run.writer.clear_other_frames(part ? scene::Extent::part : scene::Extent::whole);
+            !others.empty())
+            console.warn(others);
 
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     report_run({.scene = *scene,

@@ -8,7 +8,7 @@
 #   lib/pkgconfig/windrow-*.pc       one a component, for builds without CMake
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
-#   share/windrow/scenes             scenes, and their schema for editors; pictures and meshes that are made are left out
+#   share/windrow/scenes             scenes with what they name, and their schema for editors (install_scenes.cmake)
 #   share/doc/windrow                README, CHANGELOG, the pages of docs/ with their pictures, LICENSE, NOTICE
 #   bin/windrow, bin/windrow-draw    the programs, where they are built, with their page of the manual and completion for bash and zsh
 option(WINDROW_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
@@ -157,5 +157,6 @@ foreach(file IN ITEMS LICENSE NOTICE README.md CHANGELOG.md)
   install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow
-        PATTERN "ground.pgm" EXCLUDE REGEX "/fur/.*[.](obj|mtl|pgm|ppm)$" EXCLUDE)
+install(CODE "set(FROM \"${PROJECT_SOURCE_DIR}/examples/scenes\")
+set(TO \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/windrow/scenes\")")
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_scenes.cmake)

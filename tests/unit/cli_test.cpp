@@ -175,6 +175,20 @@ TEST_F(Command, FramesOfALongerRunAreMentioned) {
                              "want.\n");
 }
 
+TEST_F(Command, AWholeFilmTakesThePlaceOfALongerOne) {
+    if (!built_with_vdb())
+        GTEST_SKIP() << "needs --vdb";
+    const std::string out = in("old");
+    ASSERT_EQ(run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--fps", "20"}).code, k_exit_well);
+    for (const char* name : {"vel_12.vdb", "vel_0099.nvdb", "vel_00x7.vdb", "frame_0099.png", "notes_0099.vdb"})
+        std::ofstream(fs::path(out) / name) << "not ours";
+    const CommandOutcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb"});
+    EXPECT_EQ(again.code, k_exit_well);
+    EXPECT_EQ(again.err, "windrow: warning: removed 5 frames of a longer run, from " + out + "/vel_0006.vdb on.\n");
+    EXPECT_EQ(list(out), "frame_0099.png notes_0099.vdb vel_0000.vdb vel_0001.vdb vel_0002.vdb vel_0003.vdb vel_0004.vdb "
+                         "vel_0005.vdb vel_0099.nvdb vel_00x7.vdb vel_12.vdb ");
+}
+
 TEST_F(Command, LimitedCellsAreSaid) {
     const std::string fast = write("fast.json", R"({"duration": 0.1, "tick_hz": 10, "frames_per_second": 10,
         "air": {"cells": [8, 8, 8], "cell_size": 0.1, "ambient": [100, 0, 0], "max_substeps": 2}})");

@@ -12,17 +12,21 @@
 #include "fluid/core/message.h"
 #include "pictures/picture_files.h"
 #include "pictures/sheet.h"
+#include "scene/frame_files.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/scene_renderer.h"
 #include "vegetation/program/stage_table.h"
+#include "vegetation/vulkan/device.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <span>
 #include <unistd.h>
 
 using namespace windrow::vegetation;
@@ -33,6 +37,9 @@ using windrow::Error;
 using windrow::Result;
 
 constexpr std::size_t k_max_on_sheet = 24;
+constexpr int k_wrong_use = 2, k_machine = 3; ///< exit codes
+
+const windrow::scene::FrameFiles k_pictures{"frame_", ".png"}, k_exrs{"frame_", ".exr"};
 
 struct Options {
     std::vector<std::filesystem::path> scenes{};
@@ -49,36 +56,33 @@ struct Options {
 struct Kept {
     std::vector<render::Picture8> sheet{};
     program::StageTable stages{};
+    std::int64_t last = 0;                 ///< number of the last frame that is asked for
     std::int64_t pictures = 0, before = 0; ///< drawn by this run; kept from one before
     double seconds = 0.0;                  ///< of the clock on the wall, pictures and files included
 };
-
-std::filesystem::path name_of(const Options& options, std::int64_t frame, const char* ending) {
-    char name[32];
-    std::snprintf(name, sizeof name, "frame_%04d%s", static_cast<int>(frame), ending);
-    return options.folder / name;
-}
 
 /// The picture last: where it is, all of the frame is (--resume).
 Result<void> keep(const Options& options, const program::SceneRenderer& scene_renderer, std::int64_t frame) {
     if (options.exr)
         if (auto written =
                 windrow::pictures::write_exr(scene_renderer.images().light_picture(), scene_renderer.images().motion_picture(),
-                                             name_of(options, frame, ".exr"));
+                                             options.folder / k_exrs.name(frame));
             !written)
             return written;
-    return windrow::pictures::write_png(scene_renderer.images().picture(), name_of(options, frame, ".png"));
+    return windrow::pictures::write_png(scene_renderer.images().picture(), options.folder / k_pictures.name(frame));
 }
 
 /// The first frame from `first` on, before `end`, that has no picture yet. A picture is written whole or not at all.
 std::int64_t first_without_picture(const Options& options, std::int64_t first, std::int64_t end) {
     std::error_code error;
-    while (first < end && std::filesystem::is_regular_file(name_of(options, first, ".png"), error))
+    while (first < end && std::filesystem::is_regular_file(options.folder / k_pictures.name(first), error))
         ++first;
     return first;
 }
 
-Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::SceneRenderer& scene_renderer) {
+/// `code`: the exit code of an error.
+Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::SceneRenderer& scene_renderer, int& code) {
+    code = k_wrong_use;
     // Motion vectors are of two frames, and what is drawn keeps its last place: so many are drawn, and not written, before a film
     // goes on.
     constexpr std::int64_t k_lead = 2;
@@ -92,10 +96,11 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
     const std::int64_t lead = scene_renderer.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
     if (first == end)
-        return Kept{.before = end - asked};
+        return Kept{.last = end - 1, .before = end - asked};
+    code = k_machine;
     if (auto settled = scene_renderer.warm_up(); !settled)
-        return settled.failure();
-    Kept kept{.before = first - asked};
+        return Error{settled.error()};
+    Kept kept{.last = end - 1, .before = first - asked};
     kept.stages = program::StageTable(scene_renderer);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_max_on_sheet));
@@ -105,8 +110,10 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
             return done.failure();
         if (frame < first)
             continue;
-        if (auto written = keep(options, scene_renderer, frame); !written)
-            return written.failure();
+        if (auto written = keep(options, scene_renderer, frame); !written) {
+            code = k_wrong_use;
+            return Error{written.error()};
+        }
         kept.stages.add(frame, scene_renderer.times());
         if ((frame - first) % every == 0)
             kept.sheet.push_back(scene_renderer.images().picture());
@@ -156,11 +163,19 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
                             "); name a folder that you may write to.",
                         2);
     auto scene_renderer = program::SceneRenderer::create(*scene, options.scene_renderer);
-    if (!scene_renderer)
-        return complain(scene_renderer.error(), 2);
-    auto kept = draw(options, *scene, **scene_renderer);
+    if (!scene_renderer) // a scene that is at fault, or no device for any
+        return complain(scene_renderer.error(), engine::Device::create() ? k_wrong_use : k_machine);
+    int code = 0;
+    auto kept = draw(options, *scene, **scene_renderer, code);
     if (!kept)
-        return complain(kept.error(), 2);
+        return complain(kept.error(), code);
+    const bool whole = options.frames == 0 && options.from == 0.0;
+    const auto files = std::array{k_pictures, k_exrs};
+    if (const std::string others =
+            windrow::scene::clear_other_frames(options.folder, std::span(files).first(options.exr ? 2 : 1), kept->last,
+                                               whole ? windrow::scene::Extent::whole : windrow::scene::Extent::part);
+        !others.empty())
+        (void)complain(others, 0);
     if (kept->sheet.size() > 1)
         if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
             return complain(written.error(), 2);

@@ -86,10 +86,11 @@ class UnderTheLayer(unittest.TestCase):
         (self.folder / "vk_layer_settings.txt").write_text(LAYER_SETTINGS)
         (self.folder / "small.json").write_text('{"duration": 1, "air": {"cells": [8, 8, 8]}, "picture": {"size": [64, 36], "warm_up": 0}}')
 
-    def run_program(self, *arguments):
+    def run_program(self, *arguments, **variables):
         # References are the software device's: a GPU rounds otherwise. Whoever names a driver has it.
         chosen = {} if {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"} & os.environ.keys() else {"VK_LOADER_DRIVERS_SELECT": "*lvp*"}
-        environment = {**chosen, **os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder)}
+        environment = {**chosen, **os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder),
+                       **variables}
         return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
 
@@ -166,6 +167,27 @@ class AllScenes(UnderTheLayer):
         self.assertEqual(sorted(made.name for made in (self.folder / "both").iterdir()), ["other", "small"])
         # Two of 64 px with margins of 6.
         self.assertEqual(struct.unpack(">II", (self.folder / "sheet.png").read_bytes()[16:24]), (6 + 2 * (64 + 6), 6 + 36 + 6))
+
+    def test_no_driver_is_the_machines_fault(self):
+        run = self.run_program("small.json", "--frames", 1, VK_DRIVER_FILES="/none", VK_ICD_FILENAMES="/none")
+        self.assertEqual(run.returncode, 3, run.stdout)
+        self.assertRegex(run.stdout, r"\Awindrow-draw: small.json: no Vulkan driver is installed: [^\n]+\n\Z")
+
+    def test_a_whole_scene_takes_the_place_of_a_longer_one(self):
+        """A part of a scene leaves what is there."""
+        left = {"frame_0007.png", "frame_0005.exr", "frame_00012.png", "frame_9.png", "other_0009.png"}
+        made = {f"frame_{n:04d}.png" for n in range(5)} | {"contact_sheet.png", "times.csv"}
+        (self.folder / "out").mkdir()
+        for name in left:
+            (self.folder / "out" / name).write_text("old")
+        part = self.run_program("small.json", "--fps", 4, "--frames", 5, "--out", "out")
+        self.assertEqual(part.returncode, 0, part.stdout)
+        self.assertIn("out holds 2 frames of another run, which this run does not replace", part.stdout)
+        self.assertEqual({file.name for file in (self.folder / "out").iterdir()}, left | made)
+        whole = self.run_program("small.json", "--fps", 4, "--resume", "--exr", "--out", "out")
+        self.assertEqual(whole.returncode, 0, whole.stdout)
+        self.assertIn("removed 3 frames of a longer run, from out/frame_00012.png on.", whole.stdout)
+        self.assertEqual({file.name for file in (self.folder / "out").iterdir()}, {"frame_9.png", "other_0009.png"} | made)
 
     def rejected(self, *arguments):
         """What it says: one line that begins with its name."""
