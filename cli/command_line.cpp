@@ -48,8 +48,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
     const CLI::App& asked = chosen.empty() ? app : *chosen.front();
     const std::string help = message("see windrow ", chosen.empty() ? "" : asked.get_name() + " ", "--help.");
     const auto unknown = [&](const char* what, const std::string& word) {
-        const std::string near = scene::nearest_word(word, words_of(asked));
-        return message(what, word, near.empty() ? "" : " (did you mean " + near + "?)", ": ", help);
+        return message(what, word, scene::did_you_mean(word, words_of(asked)), ": ", help);
     };
     const auto extras = app.remaining(true);
     if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr && !extras.empty()) {
@@ -60,6 +59,8 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
     }
     if (chosen.empty()) {
         const std::string word = unknown_command(count, arguments);
+        if (word == "draw")
+            return "draw is not a command of windrow: windrow-draw draws pictures and films of scenes; see windrow-draw --help.";
         if (!word.empty())
             return unknown("unknown command ", word);
         if (count > 1)

@@ -85,6 +85,14 @@ Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesys
     return publish(encode("jpeg", spec, OIIO::TypeDesc::UINT8, picture.values.data(), file), file);
 }
 
+Result<Bytes> encode_webp(const Picture8& picture, int quality, const std::filesystem::path& file) {
+    if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
+        return Error{fits.error()};
+    OIIO::ImageSpec spec = spec_of(picture);
+    spec.attribute("Compression", "webp:" + std::to_string(quality));
+    return encode("webp", spec, OIIO::TypeDesc::UINT8, picture.values.data(), file);
+}
+
 Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file) {
     if (auto fits = check_size(file, light.values.size(), light.width, light.height, 3); !fits)
         return fits;

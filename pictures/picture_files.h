@@ -1,4 +1,4 @@
-// Pictures as PNG, JPEG and EXR files, by OpenImageIO.
+// Pictures as PNG, JPEG, WebP and EXR files, by OpenImageIO.
 //
 //     if (auto written = pictures::write_png(picture, "frame.png"); !written)
 //         std::fprintf(stderr, "%s\n", written.error().c_str());
@@ -32,6 +32,9 @@ enum class PngRows {
 [[nodiscard]] Result<std::vector<unsigned char>> encode_png(const Picture8& picture, const PngWords& words, PngRows rows,
                                                             const std::filesystem::path& file);
 [[nodiscard]] Result<void> write_png(const Picture8& picture, const std::filesystem::path& file);
+/// The bytes of a WebP file of a quality of 1 to 100, without loss at 100.
+[[nodiscard]] Result<std::vector<unsigned char>> encode_webp(const Picture8& picture, int quality,
+                                                             const std::filesystem::path& file);
 /// JPEG of a quality of 1 to 100.
 [[nodiscard]] Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesystem::path& file);
 /// Half floats, ZIP. Three channels are R, G, B; beside them `motion`, of the same size, as motion.x and motion.y in pixels since

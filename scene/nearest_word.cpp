@@ -45,6 +45,11 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
     return nearest;
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+    const std::string near = nearest_word(word, known);
+    return near.empty() ? near : " (did you mean " + near + "?)";
+}
+
 std::string suggestion(std::string_view word, std::span<const std::string> known) {
     if (const std::string nearest = nearest_word(word, known); !nearest.empty())
         return " (did you mean `" + nearest + "`?)";

@@ -14,6 +14,9 @@ namespace windrow::scene {
 /// The known word nearest to `word`, or an empty one where none is near enough to be a slip of the pen.
 [[nodiscard]] std::string nearest_word(std::string_view word, std::span<const std::string> known);
 
+/// " (did you mean x?)", or nothing where none is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> known);
+
 /// " (did you mean `x`?)", or the words to choose from where none is near.
 [[nodiscard]] std::string suggestion(std::string_view word, std::span<const std::string> known);
 

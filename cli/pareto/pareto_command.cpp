@@ -56,11 +56,9 @@ std::vector<ParetoFlow> chosen_flows(bool quick, const std::vector<std::string>&
     std::vector<ParetoFlow> flows = pareto_flows(quick);
     const std::vector<std::string> known = names_of(flows);
     for (const std::string& name : names)
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
-            const std::string near = scene::nearest_word(name, known);
-            reject("--flow is ", shown(name), ", which is none", near.empty() ? "" : " (did you mean " + near + "?)",
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            reject("--flow is ", shown(name), ", which is none", scene::did_you_mean(name, known),
                    ": see windrow pareto --help.");
-        }
     if (!names.empty())
         std::erase_if(flows,
                       [&](const ParetoFlow& flow) { return std::find(names.begin(), names.end(), flow.name) == names.end(); });

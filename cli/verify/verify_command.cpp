@@ -30,9 +30,7 @@ const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string
     std::vector<std::string> names;
     for (const VerifyCase& one : known)
         names.push_back(one.name);
-    const std::string near = scene::nearest_word(name, names);
-    reject("--case is ", name, ", which is unknown", near.empty() ? "" : " (did you mean " + near + "?)",
-           ": see windrow verify --list.");
+    reject("--case is ", name, ", which is unknown", scene::did_you_mean(name, names), ": see windrow verify --list.");
 }
 
 bool runs(const VerifyCase& one, BackendKind backend) {

@@ -71,6 +71,9 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
 TEST_F(Command, WrongFlagsAreNamed) {
     expect_rejection({}, "name a command, run, bench, verify, pareto, plants, check, device-report or info: see windrow --help.");
     expect_rejection({"runn", "x"}, "unknown command runn (did you mean run?): see windrow --help.");
+    expect_rejection(
+        {"draw", "x.json", "--out", "y"},
+        "draw is not a command of windrow: windrow-draw draws pictures and films of scenes; see windrow-draw --help.");
     expect_rejection({"--verion"}, "unknown option --verion (did you mean --version?): see windrow --help.");
     expect_rejection({"run"}, "SCENE.json is required: see windrow run --help.");
     expect_rejection({"run", "x.json", "--frame", "3"},

@@ -5,6 +5,7 @@
 //     windrow-draw SCENE.json --fps 24 --shutter 180 --resume        frames of a film; a run that was stopped goes on
 //     windrow-draw SCENE.json --show slice                           the wind itself: streaks, arrows, slice; or what plants do:
 //                                                                    lean, levels, chunks
+//     windrow-draw SCENE.json --size 640x360 --film film.webp        a film too; of several scenes behind one another; .mp4 by ffmpeg
 //     windrow-draw examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
 //     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
@@ -13,12 +14,15 @@
 #include "pictures/picture_files.h"
 #include "pictures/sheet.h"
 #include "scene/frame_files.h"
+#include "scene/nearest_word.h"
+#include "vegetation/program/film.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/scene_renderer.h"
 #include "vegetation/program/stage_table.h"
 #include "vegetation/vulkan/device.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -45,6 +49,7 @@ struct Options {
     std::vector<std::filesystem::path> scenes{};
     std::filesystem::path folder{}, sheet{}; ///< of one scene's pictures; of the sheet of all scenes, if it was asked for
     std::filesystem::path jpeg{};            ///< folder of small pictures, if they were asked for
+    std::filesystem::path film{};            ///< of all scenes, if it was asked for
     std::int64_t frames = 0;                 ///< 0: all from `from`
     double from = 0.0;                       ///< [s]
     bool resume = false;                     ///< pictures at the begin that are there are kept
@@ -56,7 +61,7 @@ struct Options {
 struct Kept {
     std::vector<render::Picture8> sheet{};
     program::StageTable stages{};
-    std::int64_t last = 0;                 ///< number of the last frame that is asked for
+    std::int64_t first = 0, last = 0;      ///< numbers of the first and the last frame that are asked for
     std::int64_t pictures = 0, before = 0; ///< drawn by this run; kept from one before
     double seconds = 0.0;                  ///< of the clock on the wall, pictures and files included
 };
@@ -96,11 +101,11 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
     const std::int64_t lead = scene_renderer.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
     if (first == end)
-        return Kept{.last = end - 1, .before = end - asked};
+        return Kept{.first = asked, .last = end - 1, .before = end - asked};
     code = k_machine;
     if (auto settled = scene_renderer.warm_up(); !settled)
         return Error{settled.error()};
-    Kept kept{.last = end - 1, .before = first - asked};
+    Kept kept{.first = asked, .last = end - 1, .before = first - asked};
     kept.stages = program::StageTable(scene_renderer);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_max_on_sheet));
@@ -150,7 +155,20 @@ Result<void> write_small(const render::Picture8& picture, const std::filesystem:
     }
 }
 
-int run(const std::filesystem::path& file, const Options& options, std::vector<render::Picture8>& firsts) {
+/// The shots of a film are of one size and rate.
+std::string fault_of_shot(const std::filesystem::path& file, const program::SceneRenderer& scene_renderer, program::Film& film) {
+    if (film.shots.empty()) {
+        film.size = scene_renderer.size();
+        film.frames_per_second = scene_renderer.frames_per_second();
+    }
+    if (film.size == scene_renderer.size() && film.frames_per_second == scene_renderer.frames_per_second())
+        return {};
+    return windrow::detail::message("--film: ", file.string(), " has ", scene_renderer.size().x, " x ", scene_renderer.size().y,
+                                    " px and ", scene_renderer.frames_per_second(), " frames a second, the film ", film.size.x,
+                                    " x ", film.size.y, " and ", film.frames_per_second, "; give --size and --fps for all.");
+}
+
+int run(const std::filesystem::path& file, const Options& options, std::vector<render::Picture8>& firsts, program::Film& film) {
     const auto scene = program::read_picture_scene(file);
     if (!scene)
         return complain(scene.error(), 2);
@@ -165,6 +183,8 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     auto scene_renderer = program::SceneRenderer::create(*scene, options.scene_renderer);
     if (!scene_renderer) // a scene that is at fault, or no device for any
         return complain(scene_renderer.error(), engine::Device::create() ? k_wrong_use : k_machine);
+    if (const std::string fault = options.film.empty() ? "" : fault_of_shot(file, **scene_renderer, film); !fault.empty())
+        return complain(fault, k_wrong_use);
     int code = 0;
     auto kept = draw(options, *scene, **scene_renderer, code);
     if (!kept)
@@ -176,6 +196,7 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
                                                whole ? windrow::scene::Extent::whole : windrow::scene::Extent::part);
         !others.empty())
         (void)complain(others, 0);
+    film.shots.push_back({.folder = options.folder, .first = kept->first, .count = kept->last + 1 - kept->first});
     if (kept->sheet.size() > 1)
         if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
             return complain(written.error(), 2);
@@ -219,16 +240,30 @@ std::string fault_of(const Options& options) {
 
 int run_all(const Options& options) {
     std::vector<render::Picture8> firsts;
+    program::Film film{.file = options.film};
     if (const std::string fault = fault_of(options); !fault.empty())
         return complain(fault, 2);
+    if (!options.film.empty())
+        if (const program::FilmFault fault = program::fault_of_film(options.film); !fault.sentence.empty())
+            return complain(fault.sentence, fault.machine ? k_machine : k_wrong_use);
     for (const std::filesystem::path& scene : options.scenes) {
         Options own = options;
         if (options.folder.empty())
             own.folder = std::filesystem::path("out") / scene.stem();
         else if (options.scenes.size() > 1)
             own.folder = options.folder / scene.stem();
-        if (const int code = run(scene, own, firsts); code != 0)
+        if (const int code = run(scene, own, firsts, film); code != 0)
             return code;
+    }
+    if (!options.film.empty()) {
+        if (const auto written = program::write_film(film, k_pictures); !written)
+            return complain(written.error(), k_wrong_use);
+        std::int64_t frames = 0;
+        for (const program::Shot& shot : film.shots)
+            frames += shot.count;
+        std::error_code error;
+        std::printf("%s: %.1f s, %.2f MB\n", options.film.string().c_str(), static_cast<double>(frames) / film.frames_per_second,
+                    static_cast<double>(std::filesystem::file_size(options.film, error)) / 1e6);
     }
     if (options.sheet.empty())
         return 0;
@@ -249,6 +284,21 @@ CLI::Validator within(double least, double most) {
             return '"' + text + sentence;
         },
         "NUMBER");
+}
+
+/// CLI11's fault as one sentence; of a flag that is unknown, the one that was probably meant.
+std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app) {
+    const auto extras = app.remaining();
+    if (dynamic_cast<const CLI::ExtrasError*>(&fault) == nullptr || extras.empty())
+        return fault.what();
+    std::vector<std::string> flags;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            flags.push_back("--" + name);
+    const auto flag = std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.starts_with('-'); });
+    const std::string& word = flag != extras.end() ? *flag : extras.front();
+    return windrow::detail::message("unknown option ", word, windrow::scene::did_you_mean(word, flags),
+                                    ": see windrow-draw --help.");
 }
 
 /// "1920x1080".
@@ -277,6 +327,8 @@ int main(int argument_count, char** arguments) {
                    "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");
     app.add_option("--sheet", options.sheet, "the first pictures of all scenes on one sheet: a PNG; they are of one size");
     app.add_option("--jpeg", options.jpeg, "the first picture of each scene as NAME.jpg in this folder, 640 px wide");
+    app.add_option("--film", options.film,
+                   "the pictures as a film too: an animated WebP, or MP4 by ffmpeg; of several scenes one behind the other");
     app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
@@ -297,14 +349,20 @@ int main(int argument_count, char** arguments) {
     try {
         app.parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what(), 2);
+        return error.get_exit_code() == 0 ? app.exit(error) : complain(sentence_of(error, app), 2);
     }
     if (!size.empty())
         if (const std::string fault = read_size(size, options.scene_renderer.size); !fault.empty())
             return complain(fault, 2);
     const auto shown = shows.find(show);
-    if (shown == shows.end())
-        return complain("--show is \"" + show + "\"; give one of plants, streaks, arrows, slice, lean, levels, chunks.", 2);
+    if (shown == shows.end()) {
+        std::vector<std::string> names;
+        for (const auto& [name, value] : shows)
+            names.push_back(name);
+        return complain("--show is \"" + show + "\"" + windrow::scene::did_you_mean(show, names) +
+                            "; give one of plants, streaks, arrows, slice, lean, levels, chunks.",
+                        2);
+    }
     options.scene_renderer.show = shown->second;
     if (!backend.empty() && backend != "cpu" && backend != "vulkan")
         return complain("--backend is \"" + backend + "\"; give cpu or vulkan.", 2);

@@ -203,7 +203,9 @@ class AllScenes(UnderTheLayer):
             for value in values:
                 with self.subTest((flag, value)):
                     self.assertIn(flag, self.rejected("small.json", "--frames=1", f"{flag}={value}"))
-        self.assertIn("--zebra", self.rejected("small.json", "--zebra"))
+        self.assertIn("unknown option --zebra: see windrow-draw --help.", self.rejected("small.json", "--zebra"))
+        self.assertIn("unknown option --flim (did you mean --film?): see windrow-draw --help.", self.rejected("small.json", "--flim", "a.webp"))
+        self.assertIn("(did you mean streaks?)", self.rejected("small.json", "--show", "strekas"))
         self.assertIn("scene", self.rejected())
 
     def test_missing_and_faulty_scenes_are_rejected(self):

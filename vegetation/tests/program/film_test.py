@@ -110,6 +110,84 @@ def python_with_pillow():
     raise RuntimeError("Pillow is not installed: Debian's python3-pil")
 
 
+class FilmOfOnesOwnScene(unittest.TestCase):
+    """windrow-draw --film."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for name, height in (("one", 1.5), ("two", 9)):
+            (self.folder / f"{name}.json").write_text(json.dumps(
+                {"duration": 1, "frames_per_second": 5, "air": {"cells": [8, 8, 8]},
+                 "picture": {"size": [66, 36], "warm_up": 0, "camera": {"position": [0, height, 8]}}}))
+
+    def draw(self, *flags, path=None):
+        environment = {**os.environ, "PATH": str(path)} if path else os.environ
+        return subprocess.run([PROGRAM, *map(str, flags)], cwd=self.folder, env=environment, check=False, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True)
+
+    def check(self, film, *pictures):
+        return subprocess.run([python_with_pillow(), "-B", str(MAKE_FILM.with_name("webp_film.py")), str(film), *map(str, pictures), "--fps", "5",
+                               "--check"], check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def test_a_webp_shows_its_pictures(self):
+        run = self.draw("one.json", "two.json", "--out", "out", "--film", "film.webp")
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertRegex(run.stdout, r"film\.webp: 2\.4 s, 0\.\d\d MB\n\Z")
+        pictures = [self.folder / "out" / scene / f"frame_{n:04d}.png" for scene in ("one", "two") for n in range(6)]
+        checked = self.check(self.folder / "film.webp", *pictures)
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+        self.assertNotEqual(self.check(self.folder / "film.webp", *reversed(pictures)).returncode, 0)
+        # Of a part, and of pictures that were there.
+        run = self.draw("two.json", "--out", "out/two", "--from", 0.4, "--frames", 2, "--resume", "--film", "part.webp")
+        self.assertEqual(run.returncode, 0, run.stdout)
+        checked = self.check(self.folder / "part.webp", *pictures[8:10])
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+
+    def test_an_mp4_is_ffmpegs(self):
+        """The words that ffmpeg gets, by one that keeps them."""
+        programs = self.folder / "programs"
+        programs.mkdir()
+        (programs / "ffmpeg").write_text('#!/bin/sh\nprintf "%s\\n" "$@" > words\nfor last; do :; done\n/bin/echo film > "$last"\n')
+        (programs / "ffmpeg").chmod(0o755)
+        run = self.draw("one.json", "two.json", "--out", "50%", "--film", "film.mp4", path=programs)
+        self.assertEqual(run.returncode, 0, run.stdout)
+        self.assertEqual((self.folder / "film.mp4").read_text(), "film\n")
+        words = (self.folder / "words").read_text().split("\n")
+        for first, second in (("-i", "50%%/one/frame_%04d.png"), ("-i", "50%%/two/frame_%04d.png"), ("-crf", "18"), ("-framerate", "5"),
+                              ("-force_key_frames", "1.15"), ("-start_number", "0")):
+            self.assertIn((first, second), list(zip(words, words[1:])))
+        (programs / "ffmpeg").write_text("#!/bin/sh\nexit 1\n")
+        run = self.draw("one.json", "--frames", 1, "--film", "film.mp4", path=programs)
+        self.assertEqual(run.returncode, 2, run.stdout)
+        self.assertIn("film.mp4 was not made by ffmpeg", run.stdout)
+        self.assertEqual((self.folder / "film.mp4").read_text(), "film\n", "what was there stays")
+        self.assertFalse((self.folder / "part_film.mp4").exists())
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "needs ffmpeg")
+    def test_an_mp4_has_a_key_frame_at_the_cut(self):
+        run = self.draw("one.json", "two.json", "--out", "out", "--film", "film.mp4")
+        self.assertEqual(run.returncode, 0, run.stdout)
+        keys = subprocess.run(["ffprobe", "-v", "error", "-skip_frame", "nokey", "-show_entries", "frame=pts_time", "-of", "csv=p=0",
+                               self.folder / "film.mp4"], check=True, stdout=subprocess.PIPE, text=True).stdout.replace(",", "").split()
+        self.assertEqual([round(float(key), 2) for key in keys], [0, 1.2])
+
+    def test_what_cannot_be_made_is_said_before_anything_is_drawn(self):
+        for code, flags, words in ((2, ("--film", "a.gif"), "ends in .webp or .mp4"), (2, ("--film", "none/a.webp"), "does not exist"),
+                                   (3, ("--film", "a.mp4"), "ffmpeg, which is not in the PATH")):
+            with self.subTest(flags):
+                run = self.draw("one.json", *flags, path=self.folder)
+                self.assertEqual(run.returncode, code, run.stdout)
+                self.assertRegex(run.stdout, r"\Awindrow-draw: --film [^\n]+\n\Z")
+                self.assertIn(words, run.stdout)
+                self.assertFalse((self.folder / "out").exists())
+        (self.folder / "two.json").write_text((self.folder / "two.json").read_text().replace("66", "64"))
+        run = self.draw("one.json", "two.json", "--frames", 1, "--film", "a.webp")
+        self.assertEqual(run.returncode, 2, run.stdout)
+        self.assertIn("--film: two.json has 64 x 36 px and 5 frames a second, the film 66 x 36 and 5; give --size and --fps for all.", run.stdout)
+
+
 # Run by a python that has Pillow: a slow dissolve of two smooth pictures, written as a page has it and with few key frames.
 DISSOLVE = """
 import pathlib, random, sys
