@@ -53,12 +53,41 @@ struct Fault {
 struct Entries {
     const unsigned char* bytes = nullptr;
     std::size_t count = 0, stride = 0, size = 0;
+    int component = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    bool normalized = false; // whole numbers: the largest is 1, the least of those with a sign -1
 
     template <class Vector>
     [[nodiscard]] Vector vector(std::size_t i) const {
         Vector value;
-        std::memcpy(glm::value_ptr(value), bytes + i * stride, sizeof value);
+        for (int axis = 0; axis < Vector::length(); ++axis)
+            value[axis] = number(i, static_cast<std::size_t>(axis));
         return value;
+    }
+    [[nodiscard]] float number(std::size_t i, std::size_t axis) const {
+        const unsigned char* const at = bytes + i * stride;
+        switch (component) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return whole<std::int8_t>(at, axis);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return whole<std::uint8_t>(at, axis);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return whole<std::int16_t>(at, axis);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return whole<std::uint16_t>(at, axis);
+        default:
+            return plain<float>(at, axis);
+        }
+    }
+    template <class Number>
+    [[nodiscard]] static Number plain(const unsigned char* at, std::size_t axis) {
+        Number value;
+        std::memcpy(&value, at + axis * sizeof value, sizeof value); // little-endian, as the machine
+        return value;
+    }
+    template <class Number>
+    [[nodiscard]] float whole(const unsigned char* at, std::size_t axis) const {
+        const auto value = static_cast<float>(plain<Number>(at, axis));
+        return normalized ? std::max(value / static_cast<float>(std::numeric_limits<Number>::max()), -1.0f) : value;
     }
     [[nodiscard]] std::uint32_t index(std::size_t i) const {
         std::uint32_t value = 0;
@@ -134,8 +163,13 @@ class GltfReader {
     json kept(json& source) {
         if (!source.is_object())
             fail("$", "is not an object: give a glTF 2.0 file.");
-        if (source.contains("extensionsRequired") && !source["extensionsRequired"].empty())
-            fail("$.extensionsRequired", "is not empty: save the file without compression and other extensions.");
+        if (source.contains("extensionsRequired"))
+            for (const json& extension : source["extensionsRequired"]) {
+                if (extension != "KHR_mesh_quantization")
+                    fail("$.extensionsRequired",
+                         "has others than KHR_mesh_quantization: save the file without compression and other extensions.");
+                quantized_ = true;
+            }
         json result{{"asset", {{"version", "2.0"}}}};
         for (const char* key : {"accessors", "bufferViews", "buffers", "materials", "meshes", "nodes"}) {
             const auto list = source.find(key);
@@ -258,16 +292,19 @@ class GltfReader {
         const std::string here = message("$.accessors[", index, "]");
         const bool indices = type == TINYGLTF_TYPE_SCALAR;
         const int component = accessor.componentType;
-        const bool fits = indices ? component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                                        component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                                        component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT
-                                  : component == TINYGLTF_COMPONENT_TYPE_FLOAT;
+        const bool of_signs = component == TINYGLTF_COMPONENT_TYPE_BYTE || component == TINYGLTF_COMPONENT_TYPE_SHORT;
+        const bool of_none =
+            component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+        // Without the extension, uv alone may be whole numbers.
+        const bool fits = indices ? of_none || component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT
+                                  : component == TINYGLTF_COMPONENT_TYPE_FLOAT || (quantized_ && (of_signs || of_none)) ||
+                                        (type == TINYGLTF_TYPE_VEC2 && of_none && accessor.normalized);
         if (!fits || accessor.type != type)
             fail(here, "is the ", key, " of ", place, " and not ",
                  indices                      ? "SCALAR of unsigned integers"
                  : type == TINYGLTF_TYPE_VEC3 ? "VEC3 of floats"
                                               : "VEC2 of floats",
-                 ": give those.");
+                 !indices && quantized_ ? " or of whole numbers of 8 or 16 bits" : "", ": give those.");
         if (accessor.sparse.isSparse || accessor.bufferView == -1)
             fail(here, "is sparse or has no view: give all of its numbers.");
         if (accessor.count == 0 || accessor.count > 3 * k_max_triangles || (!indices && accessor.count > k_max_vertices))
@@ -284,7 +321,8 @@ class GltfReader {
             fail(there, "reaches beyond its buffer: give a whole buffer.");
         if (accessor.byteOffset > view.byteLength || (accessor.count - 1) * stride + size > view.byteLength - accessor.byteOffset)
             fail(here, "reaches beyond its view: give a whole view.");
-        return {bytes.data() + view.byteOffset + accessor.byteOffset, accessor.count, stride, size};
+        return {
+            bytes.data() + view.byteOffset + accessor.byteOffset, accessor.count, stride, size, component, accessor.normalized};
     }
 
     void add_node(int index, const glm::dmat4& above, int depth) {
@@ -380,6 +418,7 @@ class GltfReader {
     std::string_view binary_;
     std::vector<std::size_t> lengths_; // of the buffers that are not data in the text
     std::size_t files_ = 0, bytes_ = 0, values_ = 0, nodes_ = 0, corners_ = 0;
+    bool quantized_ = false; // KHR_mesh_quantization
     tinygltf::Model model_;
     Soup soup_;
 };

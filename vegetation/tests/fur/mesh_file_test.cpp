@@ -75,6 +75,77 @@ TEST(MeshFiles, AGltfWithItsBufferBesideItOrInside) {
     EXPECT_EQ(inside->parts[0].material, "coat");
 }
 
+// KHR_mesh_quantization: whole numbers, normalized or scaled by the node, of each kind that the extension has.
+TEST(MeshFiles, AGltfOfWholeNumbers) {
+    const Folder folder;
+    const auto write = [&](int component, bool normalized, const auto& number, int padding) {
+        std::string buffer;
+        for (const auto& corner : test::k_corners) {
+            for (const float side : corner)
+                test::put(buffer, number(static_cast<int>(side)));
+            buffer.append(static_cast<std::size_t>(padding), '\0');
+        }
+        const std::size_t positions = buffer.size(), normals = positions, uvs = normals + 32;
+        for (const auto& corner : test::k_corners) {
+            for (const float side : corner)
+                test::put(buffer, static_cast<std::int8_t>(73 * side)); // normalized
+            buffer += '\0';
+        }
+        for (const auto& corner : test::k_corners)
+            for (const std::size_t axis : {0u, 1u})
+                test::put(buffer, static_cast<std::uint16_t>(corner[axis] > 0.0f ? 0xffff : 0)); // normalized
+        const std::size_t indices = buffer.size();
+        buffer += test::cube_buffer().substr(96);
+        folder.write("quantized.bin", buffer);
+        const auto view = [](std::size_t begin, std::size_t bytes, std::size_t stride) {
+            return R"({"buffer":0,"byteOffset":)" + std::to_string(begin) + R"(,"byteLength":)" + std::to_string(bytes) +
+                   (stride > 0 ? R"(,"byteStride":)" + std::to_string(stride) : "") + "}";
+        };
+        const std::string normal = normalized ? R"(,"normalized":true)" : "";
+        return folder.write(
+            "quantized.gltf",
+            R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_mesh_quantization"],"extensionsRequired":["KHR_mesh_quantization"],)"
+            R"("nodes":[{"mesh":0,"scale":[1,2,1]}],"materials":[{"name":"coat"}],"meshes":[{"primitives":[{"attributes":)"
+            R"({"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":3,"material":0}]}],"accessors":[)"
+            R"({"bufferView":0,"componentType":)" +
+                std::to_string(component) + normal +
+                R"(,"count":8,"type":"VEC3"},)"
+                R"({"bufferView":1,"componentType":5120,"normalized":true,"count":8,"type":"VEC3"},)"
+                R"({"bufferView":2,"componentType":5123,"normalized":true,"count":8,"type":"VEC2"},)"
+                R"({"bufferView":3,"componentType":5123,"count":36,"type":"SCALAR"}],"bufferViews":[)" +
+                view(0, positions, positions / 8) + "," + view(normals, 32, 4) + "," + view(uvs, 32, 0) + "," +
+                view(indices, 72, 0) + R"(],"buffers":[{"byteLength":)" + std::to_string(buffer.size()) +
+                R"(,"uri":"quantized.bin"}]})");
+    };
+    const auto bytes = [](int side) { return static_cast<std::int8_t>(127 * side); };
+    const auto unsigned_bytes = [](int side) { return static_cast<std::uint8_t>(side > 0 ? 255 : 0); };
+    const auto shorts = [](int side) { return static_cast<std::int16_t>(side > 0 ? 32767 : -32768); };
+    const auto unsigned_shorts = [](int side) { return static_cast<std::uint16_t>(side > 0 ? 40000 : 1000); };
+    const auto expect = [&](const std::filesystem::path& file) {
+        const auto mesh = read_mesh(file, {.size = 2.0f});
+        ASSERT_TRUE(mesh) << mesh.error();
+        EXPECT_EQ(surface_of(*mesh).points, 8u);
+        EXPECT_LT(glm::length(mesh->high - mesh->low - glm::vec3(1.0f, 2.0f, 1.0f)), 1e-4f);
+        EXPECT_TRUE(mesh->has_uv);
+        for (const MeshVertex& vertex : mesh->vertices) {
+            const glm::vec3 side = glm::sign(vertex.position - 0.5f * (mesh->low + mesh->high));
+            // The node's scale of y turns the diagonal.
+            EXPECT_LT(glm::length(vertex.normal - side * glm::normalize(glm::vec3(2.0f, 1.0f, 2.0f))), 1e-5f);
+            EXPECT_LT(glm::length(vertex.uv - glm::vec2(side.x > 0.0f ? 1.0f : 0.0f, side.y > 0.0f ? 0.0f : 1.0f)), 1e-6f);
+        }
+    };
+    for (const bool normalized : {true, false}) {
+        expect(write(5120, normalized, bytes, 1));
+        expect(write(5121, normalized, unsigned_bytes, 1));
+        expect(write(5122, normalized, shorts, 2));
+        expect(write(5123, normalized, unsigned_shorts, 2));
+    }
+    const auto wide = read_mesh(write(
+        5125, false, [](int side) { return static_cast<std::uint32_t>(side > 0); }, 0));
+    ASSERT_FALSE(wide);
+    EXPECT_NE(wide.error().find("not VEC3 of floats or of whole numbers of 8 or 16 bits"), std::string::npos) << wide.error();
+}
+
 // A wedge that tells the axes apart: its peak is where the file says up.
 TEST(MeshFiles, TheFilesUpBecomesY) {
     const Folder folder;
