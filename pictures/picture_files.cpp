@@ -87,7 +87,7 @@ Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesys
 
 Result<Bytes> encode_webp(const Picture8& picture, int quality, const std::filesystem::path& file) {
     if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
-        return Error{fits.error()};
+        return fits.failure();
     OIIO::ImageSpec spec = spec_of(picture);
     spec.attribute("Compression", "webp:" + std::to_string(quality));
     return encode("webp", spec, OIIO::TypeDesc::UINT8, picture.values.data(), file);

@@ -58,13 +58,13 @@ Result<void> write_webp(const Film& film, const scene::FrameFiles& pictures) {
             const fs::path name = shot.folder / pictures.name(shot.first + n);
             const auto picture = pictures::read_png(name);
             if (!picture)
-                return Error{picture.error()};
+                return picture.failure();
             if (picture->width != film.size.x || picture->height != film.size.y)
                 return Error{message(name.string(), " has ", picture->width, " x ", picture->height, " px, the film ",
                                      film.size.x, " x ", film.size.y, ": draw it again, without --resume.")};
             const auto encoded = pictures::encode_webp(*picture, k_webp_quality, name);
             if (!encoded)
-                return Error{encoded.error()};
+                return encoded.failure();
             std::string frame(6, '\0'); // at the corner
             frame += size;
             append_number(

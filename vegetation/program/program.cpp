@@ -104,7 +104,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
         return Kept{.first = asked, .last = end - 1, .before = end - asked};
     code = k_machine;
     if (auto settled = scene_renderer.warm_up(); !settled)
-        return Error{settled.error()};
+        return settled.failure();
     Kept kept{.first = asked, .last = end - 1, .before = first - asked};
     kept.stages = program::StageTable(scene_renderer);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
@@ -117,7 +117,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
             continue;
         if (auto written = keep(options, scene_renderer, frame); !written) {
             code = k_wrong_use;
-            return Error{written.error()};
+            return written.failure();
         }
         kept.stages.add(frame, scene_renderer.times());
         if ((frame - first) % every == 0)
