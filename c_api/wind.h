@@ -169,6 +169,8 @@ WINDROW_C_API windrow_result windrow_wind_advance(windrow_wind* wind, double dt,
 WINDROW_C_API windrow_result windrow_wind_follow(windrow_wind* wind, windrow_dvec3 point);
 /* [m] Height of the box's low y face, to whole cells. */
 WINDROW_C_API windrow_result windrow_wind_set_floor(windrow_wind* wind, double height);
+/* The origin of the host's world has moved: all places that the wind holds move by `offset` [m], whole cells, and no air changes. */
+WINDROW_C_API windrow_result windrow_wind_shift_origin(windrow_wind* wind, windrow_dvec3 offset);
 WINDROW_C_API windrow_result windrow_wind_box(const windrow_wind* wind, windrow_box* box);
 WINDROW_C_API windrow_dvec3 windrow_wind_origin(const windrow_wind* wind);
 /* x * y * z: entries of the arrays below. */

@@ -68,6 +68,11 @@ void fields(auto& archive, Like<FloorSet> auto& event) {
     archive(height);
 }
 
+void fields(auto& archive, Like<OriginShifted> auto& event) {
+    auto& [offset] = event;
+    archive(offset);
+}
+
 void fields(auto& archive, Like<AmbientSet> auto& event) {
     auto& [ambient] = event;
     archive(ambient);
@@ -117,7 +122,7 @@ void fields(auto& archive, Like<TickRecorded> auto& event) {
 namespace {
 
 constexpr detail::Format k_format{"WINDLOGS",
-                                  detail::Layout("events 5").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
+                                  detail::Layout("events 6").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
                                   "event log", "EventLog::to_bytes"};
 
 } // namespace

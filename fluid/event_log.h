@@ -67,6 +67,9 @@ struct Followed {
 struct FloorSet {
     double height;
 };
+struct OriginShifted {
+    glm::dvec3 offset; ///< [m] whole cells
+};
 struct AmbientSet {
     glm::vec3 ambient;
 };
@@ -97,8 +100,8 @@ struct TickRecorded {
 };
 
 using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved,
-                           ObstacleRemoved, Followed, FloorSet, AmbientSet, GustsSet, BoundariesSet, VelocitySet, WindReset,
-                           Stepped, Advanced, TickRecorded>;
+                           ObstacleRemoved, Followed, FloorSet, OriginShifted, AmbientSet, GustsSet, BoundariesSet, VelocitySet,
+                           WindReset, Stepped, Advanced, TickRecorded>;
 
 class WINDROW_API EventLog {
   public:

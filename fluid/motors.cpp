@@ -187,6 +187,13 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
     return reached;
 }
 
+void Motors::shift_origin(glm::dvec3 offset) {
+    for (Slot& slot : list_.slots()) {
+        std::visit([&](auto& kind) { kind.position += offset; }, slot.motor);
+        slot.track.shift(offset);
+    }
+}
+
 int Motors::lost(const Window& window, const Boundaries& boundaries, glm::bvec3 follows) const {
     const glm::dvec3 low = window.origin(), size = window.size();
     return static_cast<int>(std::count_if(slots().begin(), slots().end(), [&](const Slot& slot) {

@@ -79,6 +79,8 @@ class WINDROW_API Motors {
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile(const std::shared_ptr<const GustTile>& of_wind) const {
         return of_wind ? of_wind : tile_;
     }
+    /// The world's origin has moved: every place moves by `offset` [m].
+    void shift_origin(glm::dvec3 offset);
     /// Every change is noted in `log` from now on; null: no longer.
     void record_to(EventLog* log) { log_ = log; }
 

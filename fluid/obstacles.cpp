@@ -221,6 +221,20 @@ void Obstacles::end_motion(std::uint32_t index) {
     rest(index);
 }
 
+void Obstacles::shift_origin(glm::dvec3 offset, CellIndex cells) {
+    window_.origin_cells += cells;
+    for (Motion& motion : motions_)
+        motion.path.visit_places([&](BodyPose& place) { place.position += offset; });
+    for (std::uint32_t index = 0; index < list_.size(); ++index) {
+        Slot& slot = list_[index];
+        slot.obstacle.position += offset;
+        if (!slot.used || slot.motion != k_at_rest)
+            continue;
+        grid_.erase(index);
+        rest(index);
+    }
+}
+
 void Obstacles::begin_frame(double lead, double duration) {
     for (Motion& motion : motions_)
         motion.path.begin_frame(lead, duration);

@@ -97,6 +97,8 @@ class WINDROW_API Obstacles {
     [[nodiscard]] std::span<const Slot> slots() const { return list_.slots(); }
     /// Number of obstacles that the last tick looked at.
     [[nodiscard]] std::size_t visited() const { return visited_; }
+    /// The world's origin has moved: every place moves by `offset` [m], the box by `cells`. What was placed in it stays.
+    void shift_origin(glm::dvec3 offset, CellIndex cells);
     /// Every change is noted in `log` from now on; null: no longer.
     void record_to(EventLog* log) { log_ = log; }
 

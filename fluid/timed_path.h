@@ -119,6 +119,15 @@ class TimedPath {
         here_ = place;
     }
 
+    /// Calls visit(place) for each place that it holds, to change it.
+    template <class Visit>
+    void visit_places(const Visit& visit) {
+        visit(here_);
+        visit(target_);
+        for (int n = 0; n < count_; ++n)
+            visit(at(n).place);
+    }
+
     /// Where it was at the last tick.
     [[nodiscard]] const Place& here() const { return here_; }
     /// The last place that was noted.

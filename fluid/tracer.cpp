@@ -26,7 +26,7 @@ Tracer::Tracer(const WindView& air, Workspace work)
 
 // Rows of their own keep their heights over the box's floor: a cell takes what is linear between the rows around its place.
 void Tracer::move_to(const Window& window) {
-    const CellIndex by = window.origin_cells - window_.origin_cells;
+    const CellIndex by = (window.origin_cells - window.shifted) - (window_.origin_cells - window_.shifted);
     const glm::ivec3 cells = window.cells;
     const double rise = static_cast<double>(by.y) * window.units().y;
     window_ = window;

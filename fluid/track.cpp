@@ -42,4 +42,13 @@ std::span<const Track::Segment> Track::tick(double duration) {
     return {segments_.data(), pieces};
 }
 
+void Track::shift(glm::dvec3 offset) {
+    path_.visit_places([&](glm::dvec3& place) { place += offset; });
+    for (Segment& segment : segments_) {
+        segment.start += offset;
+        segment.end += offset;
+    }
+    middle_ += offset;
+}
+
 } // namespace windrow

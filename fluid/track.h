@@ -33,6 +33,9 @@ class WINDROW_API Track {
     /// until the next call.
     std::span<const Segment> tick(double duration);
 
+    /// The world's origin has moved: every place moves by `offset` [m].
+    void shift(glm::dvec3 offset);
+
     /// [m] Where it was at the last tick.
     [[nodiscard]] glm::dvec3 here() const { return path_.here(); }
     /// [m] Position at the middle of the last tick. A motor there is of second order in time.

@@ -44,6 +44,9 @@ glm::dvec3 WindControl::origin() const {
 const Box& WindControl::box() const {
     return core().box();
 }
+Result<void> WindControl::shift_origin(glm::dvec3 offset) {
+    return core().shift_origin(offset);
+}
 Result<void> WindControl::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
     return core().set_velocity(velocity_at);
 }

@@ -56,6 +56,11 @@ class WINDROW_API WindControl {
     /// Sets the height [m] of the ground, the box's low y face, to whole cells: Config::floor from now on. For boxes with a wall
     /// there.
     Result<void> set_floor(double height);
+    /// The origin of the host's world has moved: every place that the wind holds moves by `offset` [m], which the host adds to all its
+    /// own: the box, what it follows, the ground, motors with their paths, obstacles, gusts, frames shown. No air changes, and no box
+    /// is left behind, as a jump by `follow` would. Call it between frames. Rejects what is no whole number of cells (along y of lowest
+    /// rows). Gusts keep their bits where their period (AmbientWind::period) divides the way, else they go on to rounding.
+    Result<void> shift_origin(glm::dvec3 offset);
     /// [m] World position of the box's low corner.
     [[nodiscard]] glm::dvec3 origin() const;
     [[nodiscard]] const Box& box() const;

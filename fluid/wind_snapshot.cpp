@@ -21,7 +21,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 7").with<Config>().with<Motor>().with<Obstacle>().version(),
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 8").with<Config>().with<Motor>().with<Obstacle>().version(),
                                   "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -238,7 +238,7 @@ struct StateFields {
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, point, stepped.point, previous.point, stepped.origin_cells, previous.origin_cells,
-                source_name);
+                window.shifted, source_name);
         StateFields::sleep(archive, sleep);
         StateFields::speed(archive, speed);
         StateFields::ambient(archive, ambient, config, tiles);

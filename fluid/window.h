@@ -23,6 +23,8 @@ struct WINDROW_API Window {
     CellIndex origin_cells{0};
     /// Rows of the box, which the wind keeps; null: all are cell_size thick.
     const RowTable* rows = nullptr;
+    /// What WindControl::shift_origin has added to origin_cells: less it, the box has moved only where air was left behind.
+    CellIndex shifted{0};
 
     /// [m] Steps by which the box moves: the size of its cells, along y of its lowest ones.
     [[nodiscard]] glm::dvec3 units() const {

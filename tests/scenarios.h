@@ -203,6 +203,30 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         [](WindControl& wind, int n) {
                             must(wind.follow({0.11 * n, 0.03 * n, -0.07 * n}));
                         }});
+    // A host whose world floats: box, bodies, wakes, ground and gusts move with it.
+    rows.push_back({.name = "shifted_origin",
+                    .config =
+                        [](Config& c) {
+                            c.boundaries = Boundaries::open_over_floor();
+                            c.profile = LogProfile{};
+                            c.gusts.intensity = 0.2f;
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.motors().add(WakeMotor{.position = {-6.0, 3.0, 0.0}}));
+                            must(wind.obstacles().add({.position = {1.0, 4.0, -0.5}, .shape = Block{{1.2f, 0.7f, 0.9f}}}));
+                            must(wind.obstacles().add({.position = {-3.0, 2.0, 3.0}, .shape = Sphere{1.1f}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            const glm::dvec3 way(37.0, 2.0, -64.0);
+                            if (n % 10 == 5)
+                                must(wind.shift_origin(way));
+                            const glm::dvec3 origin = static_cast<double>((n + 5) / 10) * way;
+                            must(wind.motors().move(motor_id(), origin + glm::dvec3(-6.0 + 0.12 * (n + 1), 3.0, 0.02 * n)));
+                            must(wind.obstacles().move(obstacle_id(), origin + glm::dvec3(1.0, 4.0, -0.5 + 0.03 * n)));
+                            must(wind.follow(origin + glm::dvec3(0.11 * n, 0.0, -0.07 * n)));
+                        }});
     rows.push_back({.name = "rising_floor",
                     .config = [](Config& c) { c.boundaries = Boundaries::open_over_floor(); },
                     .begin =

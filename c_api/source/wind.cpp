@@ -288,6 +288,9 @@ WINDROW_EXPORT windrow_result windrow_wind_follow(windrow_wind* wind, windrow_dv
 WINDROW_EXPORT windrow_result windrow_wind_set_floor(windrow_wind* wind, double height) {
     return call({{wind, "wind"}}, [&] { return wind->control->set_floor(height); });
 }
+WINDROW_EXPORT windrow_result windrow_wind_shift_origin(windrow_wind* wind, windrow_dvec3 offset) {
+    return call({{wind, "wind"}}, [&] { return wind->control->shift_origin(to_cpp(offset)); });
+}
 WINDROW_EXPORT windrow_result windrow_wind_box(const windrow_wind* wind, windrow_box* box) {
     return call({{wind, "wind"}, {box, "box"}}, [&]() -> windrow_result {
         if (const windrow_result outcome = check_output(box); outcome != WINDROW_OK)

@@ -113,6 +113,8 @@ class CellStorage {
     [[nodiscard]] virtual MeasuredSpeed measured() const = 0;
     /// Why the storage cannot hold such gusts.
     [[nodiscard]] virtual Result<void> check(const Gusts&) const { return {}; }
+    /// The world's origin has moved, and with it all that the core has. No cell changes.
+    virtual void shift_origin(const OriginShift& shift) = 0;
     /// Memory for the vectors of all cells, between two calls; empty where the storage has none in the host's memory.
     [[nodiscard]] virtual std::span<glm::vec4> spare() { return {}; }
 };

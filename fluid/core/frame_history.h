@@ -6,6 +6,7 @@
 #pragma once
 
 #include "fluid/core/tick_clock.h"
+#include "fluid/core/window_history.h"
 #include "fluid/track.h"
 
 #include <utility>
@@ -18,6 +19,12 @@ struct ShownFrame {
     glm::dvec3 blend_centre{0.0}; ///< [m]
     AmbientWind ambient;
     bool still = false; ///< the air slept: its cells are `ambient` in `window`
+
+    void shift_origin(const OriginShift& shift) {
+        shift.move(window);
+        shift.move(blend_centre);
+        shift.move(ambient);
+    }
 };
 
 /// Source of the cells of a frame.
@@ -48,6 +55,15 @@ struct FrameHistory {
     ShownFrame shown, shown_before;
     Track follow; ///< of the point that the box follows
 
+    void shift_origin(const OriginShift& shift) {
+        for (ShownFrame* const frame : {&shown, &shown_before})
+            frame->shift_origin(shift);
+        shift.move(point_before);
+        AmbientWind before = shown.ambient;
+        before.set_phase(shift.moved_phase(gust_phase_before, before.period()));
+        gust_phase_before = before.phase();
+        follow.shift(shift.offset);
+    }
     /// A tick begins: what is now becomes what was before it.
     void keep(const AirNow& now);
     /// A frame `factor` of the way from the tick before to now; the one shown becomes the one before.

@@ -11,10 +11,16 @@
 namespace windrow::detail {
 
 inline const char* name_of(const Event& event) {
-    constexpr const char* k_names[] = {
-        "add",     "set",       "move",        "remove",    "add_obstacle",   "set_obstacle", "move_obstacle", "remove_obstacle",
-        "follow",  "set_floor", "set_ambient", "set_gusts", "set_boundaries", "set_velocity", "reset",         "step",
-        "advance", "tick"};
+    constexpr const char* k_names[] = {"add",           "set",
+                                       "move",          "remove",
+                                       "add_obstacle",  "set_obstacle",
+                                       "move_obstacle", "remove_obstacle",
+                                       "follow",        "set_floor",
+                                       "shift_origin",  "set_ambient",
+                                       "set_gusts",     "set_boundaries",
+                                       "set_velocity",  "reset",
+                                       "step",          "advance",
+                                       "tick"};
     static_assert(std::size(k_names) == std::variant_size_v<Event>);
     return k_names[event.index()];
 }
@@ -44,6 +50,7 @@ struct Repeat {
     }
     Result<void> operator()(const ObstacleRemoved& event) const { return wind.obstacles().remove(event.id); }
     Result<void> operator()(const Followed& event) const { return wind.follow(event.point); }
+    Result<void> operator()(const OriginShifted& event) const { return wind.shift_origin(event.offset); }
     Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }
     Result<void> operator()(const AmbientSet& event) const { return wind.set_ambient(event.ambient); }
     Result<void> operator()(const GustsSet& event) const {

@@ -246,7 +246,7 @@ void WindCore::drift(double seconds) {
 
 // True where the volume sources among the motors, or the box around them, have changed.
 bool WindCore::renew_sources(std::span<const detail::MotorReach> reached) {
-    const std::uint64_t name = name_of_sources(reached, place.window.origin_cells);
+    const std::uint64_t name = name_of_sources(reached, place.window.origin_cells - place.window.shifted);
     return std::exchange(source_name, name) != name;
 }
 

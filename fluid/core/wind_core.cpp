@@ -2,6 +2,7 @@
 #include "fluid/core/wind_core.h"
 
 #include "fluid/core/message.h"
+#include "fluid/core/obstacle_record.h"
 #include "fluid/solids/solids.h"
 
 #include <algorithm>
@@ -190,6 +191,37 @@ Result<void> WindCore::set_floor(double height) {
     place.point.y = height + 0.5 * place.window.size().y;
     config.floor = height;
     note(FloorSet{height});
+    return {};
+}
+
+Result<void> WindCore::shift_origin(glm::dvec3 offset) {
+    const glm::dvec3 units = window().units(), whole = glm::round(offset / units), nearest = whole * units;
+    // By the units of a position 10^6 cells away: a host's own sums are no better.
+    if (!glm::all(glm::lessThanEqual(glm::abs(offset - nearest), 1e-6 * units + 1e-12 * glm::abs(offset))))
+        return Error{detail::message("shift_origin got (", offset.x, ", ", offset.y, ", ", offset.z,
+                                     ") m: give whole cells, such as ", glm::vec3(nearest), " m.")};
+    const OriginShift shift{.cells = CellIndex(whole), .offset = nearest};
+    const auto stays = [&](glm::dvec3 at) { return detail::in_range(at + nearest, k_world_range.max); };
+    bool all = detail::can_hold_point(config, place.point + nearest) && stays({0.0, config.floor, 0.0});
+    for (const Motors::Slot& slot : motors.slots())
+        all = all && (!slot.used || stays(position_of(slot.motor)));
+    for (const Obstacles::Slot& slot : obstacles.slots())
+        all = all && (!slot.used || stays(slot.obstacle.position));
+    if (!all)
+        return Error{
+            detail::message("shift_origin by ", offset, " m moves the box, a motor or an obstacle out of 1e12 m: give less.")};
+    place.shift_origin(shift);
+    shift.move(config.centre);
+    config.floor += nearest.y;
+    if (config.roughness && config.roughness->map)
+        shift.move(config.roughness->map->position);
+    shift.move(ambient);
+    motors.shift_origin(nearest);
+    obstacles.shift_origin(nearest, shift.cells);
+    if (frames)
+        frames->shift_origin(shift);
+    cells_.shift_origin(shift);
+    note(OriginShifted{nearest});
     return {};
 }
 

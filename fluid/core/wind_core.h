@@ -66,6 +66,7 @@ class WINDROW_INTERNAL WindCore {
     Result<void> set_boundaries(const Boundaries& boundaries);
     Result<void> follow(glm::dvec3 point);
     Result<void> set_floor(double height);
+    Result<void> shift_origin(glm::dvec3 offset);
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at);
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// As they stand now, in a box at `in`.

@@ -31,6 +31,26 @@ namespace detail {
 } // namespace detail
 
 /// Position of a box, and the point that it follows.
+/// The world's origin has moved: every place in it moves by the same way.
+struct OriginShift {
+    CellIndex cells{0};
+    glm::dvec3 offset{0.0}; ///< [m] as `cells`
+
+    void move(glm::dvec3& place) const { place += offset; }
+    void move(Window& window) const {
+        window.origin_cells += cells;
+        window.shifted += cells;
+    }
+    /// A whole period of the gusts leaves their phase as it was, to the bit.
+    [[nodiscard]] glm::dvec3 moved_phase(glm::dvec3 phase, double period) const {
+        return {phase.x + std::remainder(offset.x, period), phase.y, phase.z + std::remainder(offset.z, period)};
+    }
+    void move(AmbientWind& wind) const {
+        (void)wind.set_ground(wind.ground() + offset.y); // within the range: the box is
+        wind.set_phase(moved_phase(wind.phase(), wind.period()));
+    }
+};
+
 struct BoxPlace {
     glm::dvec3 point{0.0}; ///< [m] to whole cells
     CellIndex origin_cells{0};
@@ -55,6 +75,14 @@ struct WindowHistory {
     BoxPlace previous;     ///< in the step before that
     glm::bvec3 follow_axes;
 
+    void shift_origin(const OriginShift& shift) {
+        shift.move(window);
+        shift.move(point);
+        for (BoxPlace* const place : {&stepped, &previous}) {
+            shift.move(place->point);
+            place->origin_cells += shift.cells;
+        }
+    }
     void note_step() { previous = std::exchange(stepped, {point, window.origin_cells}); }
     /// Position of the box around a point: it keeps its place on axes that do not follow.
     [[nodiscard]] CellIndex around(glm::dvec3 centre) const {

@@ -77,6 +77,11 @@ class Cells final : public CellStorage {
     void show(const FrameBlend& blend) override;
     void show_air() override;
     [[nodiscard]] MeasuredSpeed measured() const override { return measured_; }
+    void shift_origin(const OriginShift& shift) override {
+        around_origin_cells_ += shift.cells;
+        reading_origin_ += shift.cells;
+        shift.move(around_);
+    }
     [[nodiscard]] std::span<glm::vec4> spare() override { // a step pads them anew
         return {reinterpret_cast<glm::vec4*>(work.state().padded_carried.data()), box().cell_count()};
     }

@@ -118,6 +118,12 @@ class Air {
     /// Writes all of it, before any other command of the air; set 0 of the textures is of the frame shown last, set 1 of the one
     /// before. Needs `make_room_to_restore`.
     void restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window);
+
+    /// The world's origin has moved; nothing is recorded.
+    void shift_origin(const OriginShift& shift) {
+        shift.move(window_);
+        reading_origin_ += shift.cells;
+    }
     void make_room_to_restore();
     [[nodiscard]] bool fresh() const { return fresh_; }
     /// Faces of obstacles whose history `save` copies.

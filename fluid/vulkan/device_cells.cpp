@@ -190,4 +190,14 @@ void DeviceCells::forget() {
     air->forget();
 }
 
+void DeviceCells::shift_origin(const OriginShift& shift) {
+    air->shift_origin(shift);
+    queue_.shift_origin(shift);
+    if (restored_) {
+        shift.move(restored_->shown);
+        shift.move(restored_->shown_before);
+    }
+    when_shifted(shift);
+}
+
 } // namespace windrow::vulkan

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -51,6 +52,7 @@ class DeviceCells final : public CellStorage {
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;
     void show_air() override { shows_anew = true; }
+    void shift_origin(const OriginShift& shift) override;
     [[nodiscard]] MeasuredSpeed measured() const override {
         if (read_backs_.tick() <= loaded_tick_) // what a loaded wind measured is in its snapshot
             return {};
@@ -74,6 +76,7 @@ class DeviceCells final : public CellStorage {
 
     std::unique_ptr<Air> air;
     DeviceRest rest;
+    std::function<void(const OriginShift&)> when_shifted; ///< called by shift_origin: frames that were recorded move too
     std::optional<float> blend; ///< the textures of this frame are to be written, so far between the ticks
     bool shows_anew = false;    ///< the frame before the next is that frame: the wind was reset
 

@@ -179,4 +179,13 @@ void ReadBacks::take_counts(Diagnostics& diagnostics) {
     diagnostics.repaired_cells = std::exchange(repaired_, 0);
 }
 
+void ReadBacks::shift_origin(const OriginShift& shift) {
+    for (Reading& reading : readings_) {
+        reading.frame.frame.shift_origin(shift);
+        shift.move(reading.frame.blend_zone.point);
+        for (glm::dvec3& point : reading.points)
+            shift.move(point);
+    }
+}
+
 } // namespace windrow::vulkan

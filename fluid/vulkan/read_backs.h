@@ -44,6 +44,8 @@ class ReadBacks {
     /// False where nothing waits there, or what is newer was taken already. The error: its memory could not be made visible to
     /// the host; it waits on.
     [[nodiscard]] Result<bool> take(const Air& air, int slot);
+    /// The frames in flight too.
+    void shift_origin(const OriginShift& shift);
     /// Drops waiting read-backs; the last slot has its turn again.
     void forget();
 

@@ -15,6 +15,12 @@ namespace windrow::vulkan {
 Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient)
     : core(config, ambient, cells), cells(core, read_backs, std::move(air)), settings(how) {
     core.start();
+    this->cells.when_shifted = [this](const OriginShift& shift) {
+        read_backs.shift_origin(shift);
+        for (std::optional<ShownFrame>* const frame : {&recorded, &recorded_before})
+            if (*frame)
+                (*frame)->shift_origin(shift);
+    };
 }
 
 Wind::Wind(std::unique_ptr<State> state) : WindControl(state->core), state_(std::move(state)) {}

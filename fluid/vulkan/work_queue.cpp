@@ -162,4 +162,11 @@ void WorkQueue::clear() {
     cells_ = {};
 }
 
+void WorkQueue::shift_origin(const OriginShift& shift) {
+    for (CellChange& change : changes_) {
+        shift.move(change.window);
+        shift.move(change.ambient);
+    }
+}
+
 } // namespace windrow::vulkan

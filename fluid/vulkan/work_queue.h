@@ -20,6 +20,7 @@ class WorkQueue {
     /// Records all in order, and forgets it.
     void record(Air& air, VkCommandBuffer commands);
     void clear();
+    void shift_origin(const OriginShift& shift);
     [[nodiscard]] bool empty() const { return changes_.empty(); }
     [[nodiscard]] std::size_t size() const { return changes_.size(); }
 

@@ -1,6 +1,10 @@
 // The box that follows: nothing inside is lost, what is new is ambient, and where in the world it happens makes no difference.
 
+#include "fluid/event_log.h"
 #include "tests/winds.h"
+
+#include <cstring>
+#include <limits>
 
 namespace {
 
@@ -216,6 +220,94 @@ TEST(Window, AMillionMetresAwayEqualsTheOrigin) {
             differing += cells_that_differ(walk(place, h), here);
         WINDROW_EXPECT_FIGURE("far_away_cells_that_differ_h_" + std::to_string(h).substr(0, 3), double(differing), 0.0);
     }
+}
+
+// --- The origin of the world ---------------------------------------------------------------------------------------------------
+
+/// A player, a dog's wake, a vent, a door and a rock in a gusty wind over a floor, whose world's origin moves by `way` after each tenth
+/// frame.
+struct FloatingWorld {
+    explicit FloatingWorld(glm::dvec3 way_, Config config) : way(way_), wind(made(config)) {
+        dog = added(wind, WakeMotor{.position = {-6.0, 1.0, 0.0}, .radius = 1.0f});
+        (void)added(wind, PressureMotor{.position = {4.0, 5.0, 2.0}, .radius = 1.2f});
+        door = *wind.obstacles().add({.position = {1.0, 2.0, -1.5}, .shape = Block{{1.2f, 1.7f, 0.4f}}});
+        EXPECT_TRUE(wind.obstacles().add({.position = {-3.0, 1.0, 3.0}, .shape = Sphere{1.1f}}));
+    }
+    void frame(int n) {
+        if (n % 10 == 9) {
+            EXPECT_TRUE(wind.shift_origin(way));
+            origin += way;
+        }
+        EXPECT_TRUE(wind.motors().move(dog, origin + glm::dvec3(-6.0 + 0.1 * n, 1.0, 0.04 * n)));
+        EXPECT_TRUE(wind.obstacles().move(door, origin + glm::dvec3(1.0, 2.0, -1.5 + 0.02 * n)));
+        EXPECT_TRUE(wind.follow(origin + glm::dvec3(0.09 * n, 0.0, -0.05 * n)));
+        wind.advance(1.0 / 60.0);
+    }
+
+    glm::dvec3 way, origin{0.0};
+    Wind wind;
+    MotorId dog;
+    ObstacleId door;
+};
+
+TEST(Window, AShiftOfTheOriginChangesNoAir) {
+    const Config config{.cells = {20, 10, 16},
+                        .boundaries = Boundaries::open_over_floor(),
+                        .ambient = {5.0f, 0.0f, 1.0f},
+                        .profile = LogProfile{},
+                        .gusts = {.intensity = 0.2f}};
+    const double period = made(config).ambient_wind().period();
+    ASSERT_EQ(period, std::round(period));
+    for (const bool whole : {true, false}) {
+        const glm::dvec3 way = whole ? glm::dvec3(4.0 * period, 0.0, -2.0 * period) : glm::dvec3(4711.0, 3.0, -815.0);
+        FloatingWorld stays(glm::dvec3(0.0), config), floats(way, config);
+        EventLog log;
+        const auto start = floats.wind.save();
+        floats.wind.record_to(&log);
+        double worst = 0.0, apart = 0.0;
+        for (int n = 0; n < 60; ++n) {
+            stays.frame(n);
+            floats.frame(n);
+            for (std::size_t cell = 0; cell < stays.wind.field().size(); ++cell)
+                worst = std::max(worst, double(glm::length(stays.wind.field()[cell] - floats.wind.field()[cell])));
+            for (const glm::dvec3 place : {glm::dvec3(0.3, 0.4, 0.2), glm::dvec3(3.0, 2.5, -2.0), glm::dvec3(40.0, 2.0, 9.0)}) {
+                apart = std::max(apart,
+                                 double(glm::length(stays.wind.velocity(place) - floats.wind.velocity(place + floats.origin))));
+                apart = std::max(apart, double(glm::length(stays.wind.previous_view().velocity(place) -
+                                                           floats.wind.previous_view().velocity(place + floats.origin))));
+            }
+            const WindowBlock here = stays.wind.window_block(glm::dvec3(1.0)),
+                              there = floats.wind.window_block(glm::dvec3(1.0) + floats.origin);
+            EXPECT_EQ(std::memcmp(&here, &there, sizeof here), 0) << n;
+        }
+        const std::string name = whole ? "whole_gust_tiles" : "any_cells";
+        WINDROW_EXPECT_FIGURE("origin_shift_air_" + name, worst, whole ? 0.0 : 1e-5);
+        WINDROW_EXPECT_FIGURE("origin_shift_queries_" + name, apart, whole ? 0.0 : 1e-5);
+        EXPECT_EQ(floats.wind.origin(), stays.wind.origin() + floats.origin);
+        EXPECT_EQ(position_of(*floats.wind.motors().find(floats.dog)),
+                  position_of(*stays.wind.motors().find(stays.dog)) + floats.origin);
+        EXPECT_NEAR(floats.wind.force_on(floats.door)->force.x, stays.wind.force_on(stays.door)->force.x, whole ? 0.0 : 0.05);
+        // Its bytes and its log know of it.
+        Wind again = *Wind::load(*start);
+        ASSERT_TRUE(replay(log, again));
+        EXPECT_EQ(*again.save(), *floats.wind.save());
+        Wind loaded = *Wind::load(*floats.wind.save());
+        loaded.step(1.0 / 60.0);
+        floats.wind.record_to(nullptr);
+        floats.wind.step(1.0 / 60.0);
+        EXPECT_EQ(cells_that_differ(copy(loaded.field()), copy(floats.wind.field())), 0u);
+    }
+}
+
+TEST(Window, AShiftOfTheOriginIsOfWholeCells) {
+    Wind wind = made({.cells = {8, 8, 8}, .cell_size = 0.5f, .ambient = {1.0f, 0.0f, 0.0f}});
+    const auto before = *wind.save();
+    for (const glm::dvec3 way : {glm::dvec3(0.3, 0.0, 0.0), glm::dvec3(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0),
+                                 glm::dvec3(0.0, 0.0, std::numeric_limits<double>::infinity()), glm::dvec3(1e300, 0.0, 0.0)})
+        EXPECT_FALSE(wind.shift_origin(way));
+    EXPECT_EQ(*wind.save(), before);
+    EXPECT_EQ(wind.shift_origin({0.7, 0.0, 0.0}).error(),
+              "shift_origin got (0.7, 0, 0) m: give whole cells, such as (0.5, 0, 0) m.");
 }
 
 } // namespace

@@ -309,6 +309,7 @@ AIR = [
     ("windrow_wind_advance", c.c_int32, c.c_void_p, c.c_double, P(Advance), P(Diagnostics)),
     ("windrow_wind_follow", c.c_int32, c.c_void_p, DVec3),
     ("windrow_wind_set_floor", c.c_int32, c.c_void_p, c.c_double),
+    ("windrow_wind_shift_origin", c.c_int32, c.c_void_p, DVec3),
     ("windrow_wind_box", c.c_int32, c.c_void_p, P(Box)),
     ("windrow_wind_origin", DVec3, c.c_void_p),
     ("windrow_wind_cell_count", c.c_uint64, c.c_void_p),

@@ -412,6 +412,7 @@ extern "C" {
     pub fn windrow_wind_advance(wind: *mut c_void, dt: f64, advance: *mut Advance, last: *mut Diagnostics) -> ResultCode;
     pub fn windrow_wind_follow(wind: *mut c_void, point: DVec3) -> ResultCode;
     pub fn windrow_wind_set_floor(wind: *mut c_void, height: f64) -> ResultCode;
+    pub fn windrow_wind_shift_origin(wind: *mut c_void, offset: DVec3) -> ResultCode;
     pub fn windrow_wind_box(wind: *const c_void, r#box: *mut Box) -> ResultCode;
     pub fn windrow_wind_origin(wind: *const c_void) -> DVec3;
     pub fn windrow_wind_cell_count(wind: *const c_void) -> u64;
