@@ -147,7 +147,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     return picture;
 }
 
-Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name) {
+Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name, std::size_t max_pixels) {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
     OIIO::ImageSpec wanted;
     wanted.attribute("oiio:UnassociatedAlpha", 1); // else heights come multiplied by their alpha
@@ -161,14 +161,19 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
     if (spec.width < 2 || spec.height < 2 || spec.width > HeightMap::k_max_corners || spec.height > HeightMap::k_max_corners)
         return Error{
             message(name, " is ", spec.width, " x ", spec.height, " px: give 2 to ", HeightMap::k_max_corners, " each.")};
+    const std::size_t pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height),
+                      most = spec.nchannels >= 3 ? max_pixels / 2 : max_pixels; // colours are compared, channel by channel
+    if (pixels > most)
+        return Error{message(name, " is ", spec.width, " x ", spec.height, " px: the scene has room for ", most,
+                             " in all; give a smaller picture.")};
     // A header may promise what no file holds: both formats pack a row of zeros into a thousandth at best.
-    if (static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) / 2'000 > bytes.size())
+    if (pixels / 2'000 > bytes.size())
         return Error{
             message(name, " has ", bytes.size(), " bytes for ", spec.width, " x ", spec.height, " px: give a whole file.")};
     return detail::where_memory_lasts([&]() -> Result<HeightPicture> {
         HeightPicture picture{.data = {.corners = {spec.width, spec.height}, .spacing = 1.0f}};
         std::vector<float>& heights = picture.data.heights;
-        heights.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+        heights.resize(pixels);
         const auto read_channel = [&](int channel, std::vector<float>& to) {
             return input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, to.data());
         };
@@ -189,13 +194,13 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
         const auto base = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
         picture.metres = base != OIIO::TypeDesc::UINT8 && base != OIIO::TypeDesc::UINT16 && base != OIIO::TypeDesc::UINT32;
         picture.unit = base == OIIO::TypeDesc::UINT8 ? 255.0 : base == OIIO::TypeDesc::UINT16 ? 65535.0 : 1.0;
-        const double most = base == OIIO::TypeDesc::INT8    ? 127.0
-                            : base == OIIO::TypeDesc::INT16 ? 32767.0
-                            : base == OIIO::TypeDesc::INT32 ? 2147483647.0
-                                                            : 1.0;
-        if (most != 1.0)
+        const double largest = base == OIIO::TypeDesc::INT8    ? 127.0
+                               : base == OIIO::TypeDesc::INT16 ? 32767.0
+                               : base == OIIO::TypeDesc::INT32 ? 2147483647.0
+                                                               : 1.0;
+        if (largest != 1.0)
             for (float& height : heights)
-                height = static_cast<float>(std::round(most * static_cast<double>(height)));
+                height = static_cast<float>(std::round(largest * static_cast<double>(height)));
         return picture;
     });
 }

@@ -11,6 +11,7 @@
 #include "pictures/picture.h"
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,7 +48,9 @@ enum class PngRows {
 /// Heights of a picture, a pixel a metre, of a PNG or a TIFF. Whole numbers without a sign are 0 m for black and 1 m for white, of 8
 /// or 16 bits; floats, and numbers with a sign as surveys have them, are metres. Rejects pictures of colours. `name` begins an error's
 /// sentence. What a GeoTIFF says beside its pixels is not read here (scene/height_files.h).
-[[nodiscard]] Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name);
+/// A picture of more than `max_pixels` is rejected by its header, before memory is taken for it.
+[[nodiscard]] Result<HeightPicture> read_heights(std::string_view bytes, const std::string& name,
+                                                 std::size_t max_pixels = std::numeric_limits<std::size_t>::max());
 
 /// The picture in another size, filtered so that thin lines stay; rejected only without memory.
 [[nodiscard]] Result<Picture8> resized(const Picture8& picture, int width, int height);

@@ -29,8 +29,8 @@ std::string place_of(std::size_t pixel, int width) {
 
 // --- Formats -----------------------------------------------------------------------------------------------------------------
 
-Result<HeightPicture> parse_pgm(std::string_view bytes, const std::string& name) {
-    const auto picture = detail::read_pgm(bytes, name, k_max_pixels);
+Result<HeightPicture> parse_pgm(std::string_view bytes, const std::string& name, std::size_t max_pixels) {
+    const auto picture = detail::read_pgm(bytes, name, std::min(k_max_pixels, max_pixels));
     if (!picture)
         return picture.failure();
     HeightPicture heights{.data = {.corners = picture->size, .spacing = 1.0f}, .unit = static_cast<double>(picture->white)};
@@ -178,27 +178,37 @@ Result<void> fill(HeightPicture& picture, const std::string& name, ReadLog& log)
     constexpr float k_unknown = std::numeric_limits<float>::quiet_NaN();
     for (const std::size_t n : missing)
         heights[n] = k_unknown;
+    const auto for_each_beside = [&](std::size_t n, const auto& visit) { // and for itself
+        const glm::ivec2 at(n % static_cast<std::size_t>(size.x), n / static_cast<std::size_t>(size.x));
+        for (int z = std::max(at.y - 1, 0); z <= std::min(at.y + 1, size.y - 1); ++z)
+            for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.x - 1); ++x)
+                visit(static_cast<std::size_t>(z) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+    };
     std::vector<std::pair<std::size_t, float>> known;
-    for (std::vector<std::size_t> left = missing; !left.empty();) {
+    for (std::vector<std::size_t> front = std::move(missing); !front.empty();) {
         known.clear();
-        for (const std::size_t n : left) {
-            const glm::ivec2 at(n % static_cast<std::size_t>(size.x), n / static_cast<std::size_t>(size.x));
+        for (const std::size_t n : front) {
             float sum = 0.0f;
             int count = 0;
-            for (int z = std::max(at.y - 1, 0); z <= std::min(at.y + 1, size.y - 1); ++z)
-                for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, size.x - 1); ++x)
-                    if (const float height =
-                            heights[static_cast<std::size_t>(z) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x)];
-                        !std::isnan(height)) {
-                        sum += height;
-                        ++count;
-                    }
+            for_each_beside(n, [&](std::size_t beside) {
+                if (!std::isnan(heights[beside])) {
+                    sum += heights[beside];
+                    ++count;
+                }
+            });
             if (count > 0)
                 known.emplace_back(n, sum / static_cast<float>(count));
         }
         for (const auto& [n, height] : known)
             heights[n] = height;
-        std::erase_if(left, [&](std::size_t n) { return !std::isnan(heights[n]); });
+        front.clear();
+        for (const auto& [n, height] : known)
+            for_each_beside(n, [&](std::size_t beside) {
+                if (std::isnan(heights[beside]))
+                    front.push_back(beside);
+            });
+        std::sort(front.begin(), front.end());
+        front.erase(std::unique(front.begin(), front.end()), front.end());
     }
     log.warn(found + ": they are filled from those beside them.");
     return {};
@@ -258,10 +268,11 @@ Result<HeightPicture> read_height_file(std::string_view bytes, const std::string
     return detail::where_memory_lasts([&]() -> Result<HeightPicture> {
         const std::string kind = std::filesystem::path(name).extension().string();
         const bool pgm = bytes.starts_with("P5") || bytes.starts_with("P2") || kind == ".pgm";
+        const std::size_t room = log.budget().memory_left() / sizeof(float);
         auto picture = kind == ".raw" || kind == ".r16" ? parse_raw(bytes, name, order)
                        : kind == ".asc"                 ? parse_asc(bytes, name)
-                       : log.heights == nullptr || pgm  ? parse_pgm(bytes, name)
-                                                        : log.heights(bytes, name);
+                       : log.heights == nullptr || pgm  ? parse_pgm(bytes, name, room)
+                                                        : log.heights(bytes, name, room);
         if (!picture)
             return picture;
         const TiffTags tags = tiff_tags(bytes);

@@ -35,8 +35,9 @@ struct KnownKey {
     [[nodiscard]] bool is_value() const { return type != "one of" && type != "not both" && type != "needs" && type != "kind"; }
 };
 
-/// Heights of a picture that is no PGM, from its bytes; `name` begins the sentence that says why there are none.
-using HeightPictureReader = Result<HeightPicture> (*)(std::string_view bytes, const std::string& name);
+/// Heights of a picture that is no PGM, from its bytes; `name` begins the sentence that says why there are none. `max_pixels`: those
+/// that the scene has room for.
+using HeightPictureReader = Result<HeightPicture> (*)(std::string_view bytes, const std::string& name, std::size_t max_pixels);
 
 class ReadLog {
   public:

@@ -50,6 +50,10 @@ void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, File
             object.reject(key, "names a file that cannot be used: see above.");
         return;
     }
+    if (object.log().is_full()) { // a file may cost seconds before its fault is found
+        object.log().count_fault();
+        return;
+    }
     const auto made = [&]() -> Result<std::shared_ptr<const Kind>> {
         const std::string name = file->string();
         const auto bytes = detail::read_input(*file, {.folder = folder_, .max_bytes = k_max_bytes}, object.log().budget());

@@ -110,6 +110,11 @@ class VoxReader {
             return fail(at, "the chunk XYZI has ", size, " bytes, too few for its cells; export the file again.");
         if (models_ > 1) // only counted
             return;
+        if (has_cells_)
+            return fail(at, "the model has a second chunk XYZI; export the file again.");
+        has_cells_ = true;
+        if (number(at) == 0)
+            return fail(at, "the model has no voxel: fill one at least.");
         model_.assign(static_cast<std::size_t>(size_.x) * size_.y * size_.z, 0);
         model_size_ = size_;
         for (std::size_t n = 0, count = number(at); n < count; ++n) {
@@ -234,6 +239,7 @@ class VoxReader {
     const std::string& name_;
     glm::ivec3 size_{0}, model_size_{0};
     int models_ = 0, places_ = 0;
+    bool has_cells_ = false;
     std::vector<std::uint8_t> model_; ///< as the file has it
     std::map<std::uint32_t, Node> nodes_;
     std::optional<std::uint32_t> shape_{};

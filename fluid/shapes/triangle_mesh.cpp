@@ -1,5 +1,6 @@
 #include "fluid/shapes/triangle_mesh.h"
 
+#include "fluid/core/message.h"
 #include "fluid/solids/content.h"
 #include "fluid/solids/mesh_signs.h"
 #include "fluid/solids/mesh_surface.h"
@@ -15,41 +16,90 @@ namespace {
 
 using detail::MeshTree, detail::winds_around;
 
-/// Rays into the body, one from the middle of each part of a triangle.
+/// Rays into the body, one from the middle of each part of a triangle. Of more than k_most_rays parts of large triangles some have a
+/// ray, evenly, and each triangle has one.
 class Thickness {
   public:
     Thickness(const MeshTree& tree, glm::vec3 size)
         : tree_(tree), longest_(std::max({size.x, size.y, size.z})), least_(std::min({size.x, size.y, size.z})) {}
 
+    void count(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        cut(a, b, c, is_thin(a, b, c), 0, [&](glm::vec3, int cuts) { parts_ += cuts > 0 ? 1 : 0; });
+    }
+    /// After all are counted.
     void measure(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         const glm::vec3 normal(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
-        if (const float length = glm::length(normal); length > 0.0f)
-            cast(a, b, c, normal / length, 0);
+        const float length = glm::length(normal);
+        if (!(length > 0.0f))
+            return;
+        bool first = true;
+        cut(a, b, c, is_thin(a, b, c), 0, [&](glm::vec3 place, int cuts) {
+            if (const bool chosen = cuts == 0 || has_ray(); chosen || first)
+                cast(place, normal / length);
+            first = false;
+        });
     }
     [[nodiscard]] float least() const { return least_; }
+    /// Of the mesh's tree.
+    [[nodiscard]] std::size_t steps() const { return steps_; }
 
   private:
     static constexpr int k_most_cuts = 4;
+    static constexpr float k_thin = 32.0f; ///< times as long as high
+    static constexpr std::size_t k_most_rays = 16'384;
 
-    void cast(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 normal, int cuts) {
-        const float apart = longest_ / 8.0f;
-        if (cuts < k_most_cuts && std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)}) > apart) {
-            const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
-            cast(a, ab, ca, normal, cuts + 1);
-            cast(ab, b, bc, normal, cuts + 1);
-            cast(ca, bc, c, normal, cuts + 1);
-            cast(ab, bc, ca, normal, cuts + 1);
-            return;
+    static float longest_edge(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    }
+    static bool is_thin(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        const float longest = longest_edge(a, b, c);
+        return glm::length(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a))) < static_cast<double>(longest * longest / k_thin);
+    }
+    [[nodiscard]] bool has_ray() {
+        const std::size_t part = part_++;
+        return parts_ <= k_most_rays || (part + 1) * k_most_rays / parts_ > part * k_most_rays / parts_;
+    }
+
+    /// visit(middle, cuts) for each part. Of a thin triangle, parts beside each other would find the same.
+    template <class Visit>
+    void cut(glm::vec3 a, glm::vec3 b, glm::vec3 c, bool thin, int cuts, const Visit& visit) {
+        const float edge = longest_edge(a, b, c);
+        if (cuts == k_most_cuts || !(edge > longest_ / 8.0f))
+            return visit((a + b + c) / 3.0f, cuts);
+        const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
+        if (!thin) {
+            cut(a, ab, ca, thin, cuts + 1, visit);
+            cut(ab, b, bc, thin, cuts + 1, visit);
+            cut(ca, bc, c, thin, cuts + 1, visit);
+            cut(ab, bc, ca, thin, cuts + 1, visit);
+        } else if (glm::distance(a, b) == edge) {
+            cut(a, ab, c, thin, cuts + 1, visit);
+            cut(ab, b, c, thin, cuts + 1, visit);
+        } else if (glm::distance(b, c) == edge) {
+            cut(a, b, bc, thin, cuts + 1, visit);
+            cut(a, bc, c, thin, cuts + 1, visit);
+        } else {
+            cut(a, b, ca, thin, cuts + 1, visit);
+            cut(ca, b, c, thin, cuts + 1, visit);
         }
-        const glm::vec3 place = (a + b + c) / 3.0f, out = 1e-4f * longest_ * normal;
-        const bool before = winds_around(tree_.winding_number(place + out)); // as where triangles face inward
-        if (before && winds_around(tree_.winding_number(place - out)))
+    }
+
+    void cast(glm::vec3 place, glm::vec3 normal) {
+        // What a ray meets is found first, both ways: it is seldom nearer than what is known, and a winding number takes longer.
+        const float inward = tree_.first_hit(place, -normal, -normal, least_, steps_),
+                    outward = tree_.first_hit(place, normal, -normal, least_, steps_);
+        if (!(std::min(inward, outward) < least_))
             return;
-        least_ = tree_.first_hit(place, before ? normal : -normal, -normal, least_);
+        const glm::vec3 out = 1e-4f * longest_ * normal;
+        const bool before = winds_around(tree_.winding_number(place + out, &steps_)); // as where triangles face inward
+        if (before && winds_around(tree_.winding_number(place - out, &steps_)))
+            return;
+        least_ = before ? outward : inward;
     }
 
     const MeshTree& tree_;
     float longest_, least_;
+    std::size_t steps_ = 0, parts_ = 0, part_ = 0; ///< of cut triangles
 };
 
 } // namespace
@@ -62,11 +112,34 @@ TriangleMesh::TriangleMesh(MeshData data)
         high_ = glm::max(high_, place);
     }
     tree_ = std::make_unique<MeshTree>(data_);
-    signs_ = std::make_unique<detail::MeshSigns>(data_, *tree_, low_, high_);
+}
+
+Result<void> TriangleMesh::measure() {
+    constexpr std::size_t k_points = 256;                 // of which the steps are counted
+    constexpr std::size_t k_most_ray_steps = 500'000'000; // 3 s; a million round triangles take 150,000,000
+    const Error too_long{detail::message("a point beside the mesh takes more than ", k_max_steps,
+                                         " steps of a search, in the mean: its triangles are long and thin, or one around "
+                                         "another; cut them shorter, or give fewer.")};
+    const std::size_t apart = (data_.triangles.size() + k_points - 1) / k_points;
+    std::size_t steps = 0;
+    for (std::size_t t = 0, points = 1; t < data_.triangles.size(); t += apart, ++points) {
+        const glm::uvec3& corners = data_.triangles[t];
+        (void)tree_->winding_number((data_.vertices[corners.x] + data_.vertices[corners.y] + data_.vertices[corners.z]) / 3.0f,
+                                    &steps);
+        if (steps > k_points * k_max_steps || (t + apart >= data_.triangles.size() && steps > points * k_max_steps))
+            return too_long;
+    }
     Thickness rays(*tree_, high_ - low_);
     for (const glm::uvec3& t : data_.triangles)
+        rays.count(data_.vertices[t.x], data_.vertices[t.y], data_.vertices[t.z]);
+    for (const glm::uvec3& t : data_.triangles) {
         rays.measure(data_.vertices[t.x], data_.vertices[t.y], data_.vertices[t.z]);
+        if (rays.steps() > k_most_ray_steps)
+            return too_long;
+    }
     thickness_ = rays.least();
+    signs_ = std::make_unique<detail::MeshSigns>(data_, *tree_, low_, high_);
+    return {};
 }
 
 TriangleMesh::~TriangleMesh() = default;
@@ -80,7 +153,10 @@ Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::create(MeshData data) 
             return closed.failure();
         data.vertices.shrink_to_fit();
         data.triangles.shrink_to_fit();
-        return std::shared_ptr<const TriangleMesh>(new TriangleMesh(std::move(data)));
+        std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data)));
+        if (auto measured = mesh->measure(); !measured)
+            return Error{measured.error()};
+        return std::shared_ptr<const TriangleMesh>(std::move(mesh));
     });
 }
 

@@ -45,11 +45,15 @@ class WINDROW_API TriangleMesh {
     /// [m] Least edge of the box that holds it, the longest of the three.
     static constexpr float k_smallest = 1e-6f;
 
+    /// Of its search tree, for one point beside the surface, in the mean: 900 for 500,000 round triangles. Long thin triangles and
+    /// those that are nested take one or two each, however many there are.
+    static constexpr std::size_t k_max_steps = 10'000;
+
     /// Vertices at the same place become one, and triangles with a corner twice are left out. A triangle that is there twice counts
     /// once where the surface is closed only so. Takes 1 s for 500,000 triangles.
     /// Rejects no triangles or more than k_max_triangles, indices without a vertex, coordinates that are not finite or beyond
-    /// k_farthest, a mesh smaller than k_smallest, a surface that is open (an edge without a second triangle) or whose neighbours face opposite ways, and memory
-    /// that is short.
+    /// k_farthest, a mesh smaller than k_smallest, a surface that is open (an edge without a second triangle) or whose neighbours
+    /// face opposite ways, one that takes more than k_max_steps to search, and memory that is short.
     [[nodiscard]] static Result<std::shared_ptr<const TriangleMesh>> create(MeshData data);
     ~TriangleMesh();
     TriangleMesh(const TriangleMesh&) = delete;
@@ -68,7 +72,8 @@ class WINDROW_API TriangleMesh {
     [[nodiscard]] double winding_number(glm::vec3 point) const;
     /// [m] The shortest way through the body between two faces that are parallel within 45 degrees, and at most the shortest edge
     /// of the box that holds it. Measured by rays into the body from points on each triangle, no farther apart than 1/8 of the longest
-    /// edge of that box.
+    /// edge of that box. Of a long thin triangle, parts across have none. Where large triangles have more than 16384 such points,
+    /// some of these have a ray, one at least of each triangle.
     [[nodiscard]] float thickness() const { return thickness_; }
 
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -80,13 +85,15 @@ class WINDROW_API TriangleMesh {
 
   private:
     explicit TriangleMesh(MeshData data); ///< closed; throws std::bad_alloc
+    /// What is found by its tree. Throws std::bad_alloc.
+    [[nodiscard]] Result<void> measure();
 
     MeshData data_;
     std::uint64_t hash_;
     glm::vec3 low_{0.0f}, high_{0.0f};
     std::unique_ptr<const detail::MeshTree> tree_;
     std::unique_ptr<const detail::MeshSigns> signs_;
-    float thickness_;
+    float thickness_ = 0.0f;
 };
 
 } // namespace windrow

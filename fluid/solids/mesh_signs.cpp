@@ -3,6 +3,7 @@
 #include "fluid/portable_math.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,6 +13,27 @@ namespace windrow::detail {
 namespace {
 
 constexpr float k_most_cells = 64.0f; // along the longest edge: a quarter of a megabyte in all
+constexpr int k_small = 64;           // cells in the box of a part: that of a long triangle holds all of the grid
+constexpr std::size_t k_few = 32;     // cells that are not worth a winding number: between crowded triangles are many such parts
+
+/// visit(corners) for parts of a triangle, halved across their longest edges until is_small(corners), or floats end.
+template <class IsSmall, class Visit>
+void cut_triangle(const std::array<glm::vec3, 3>& corner, const IsSmall& is_small, const Visit& visit) {
+    if (is_small(corner))
+        return visit(corner);
+    std::size_t first = 0; // of the longest edge
+    float longest = 0.0f;
+    for (std::size_t n = 0; n < 3; ++n)
+        if (const float length = glm::distance(corner[n], corner[(n + 1) % 3]); length > longest) {
+            longest = length;
+            first = n;
+        }
+    const glm::vec3 a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3], middle = 0.5f * (a + b);
+    if (middle == a || middle == b)
+        return visit(corner);
+    cut_triangle(std::array{a, middle, c}, is_small, visit);
+    cut_triangle(std::array{middle, b, c}, is_small, visit);
+}
 
 } // namespace
 
@@ -22,46 +44,58 @@ MeshSigns::MeshSigns(const MeshData& data, const MeshTree& tree, glm::vec3 low, 
     count_ = glm::ivec3(size / width_) + 1;
     cells_.resize(static_cast<std::size_t>(count_.x) * count_.y * count_.z);
     mark_near(data);
-    std::vector<std::size_t> open;
-    open.reserve(cells_.size());
+    std::vector<std::size_t> part;
+    part.reserve(cells_.size());
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
         if (cells_[cell] == Sign::unknown) {
+            collect(cell, part);
             const glm::vec3 middle = low_ + (glm::vec3(place_of(cell)) + 0.5f) * width_;
-            fill(cell, winds_around(tree.winding_number(middle)) ? Sign::inside : Sign::outside, open);
+            const Sign sign = part.size() < k_few                         ? Sign::near
+                              : winds_around(tree.winding_number(middle)) ? Sign::inside
+                                                                          : Sign::outside;
+            for (const std::size_t one : part)
+                cells_[one] = sign;
         }
 }
 
-// Cells that the plane of a triangle meets within the triangle's box, grown by what rounding may move.
+// Cells that the plane of a triangle meets within the boxes of its parts, grown by what rounding may move.
 void MeshSigns::mark_near(const MeshData& data) {
     const float touch = 1e-3f * width_;
     for (const glm::uvec3& t : data.triangles) {
         const glm::vec3 a = data.vertices[t.x], b = data.vertices[t.y], c = data.vertices[t.z];
         const glm::vec3 normal(glm::cross(glm::dvec3(b - a), glm::dvec3(c - a)));
         const float size = glm::length(normal), near = 0.5f * width_ * glm::dot(glm::abs(normal), glm::vec3(1.0f)) + touch * size;
-        const glm::ivec3 first = cell_of(glm::min(a, glm::min(b, c)) - touch),
-                         last = cell_of(glm::max(a, glm::max(b, c)) + touch);
-        for (int k = first.z; k <= last.z; ++k)
-            for (int j = first.y; j <= last.y; ++j)
-                for (int i = first.x; i <= last.x; ++i)
-                    if (std::abs(glm::dot(normal, low_ + (glm::vec3(i, j, k) + 0.5f) * width_ - a)) <= near)
-                        cells_[index({i, j, k})] = Sign::near;
+        const auto first = [&](const auto& part) { return cell_of(glm::min(part[0], glm::min(part[1], part[2])) - touch); };
+        const auto last = [&](const auto& part) { return cell_of(glm::max(part[0], glm::max(part[1], part[2])) + touch); };
+        const auto is_small = [&](const auto& part) {
+            const glm::ivec3 cells = last(part) - first(part) + 1;
+            return cells.x * cells.y * cells.z <= k_small;
+        };
+        cut_triangle(std::array{a, b, c}, is_small, [&](const auto& part) {
+            const glm::ivec3 from = first(part), to = last(part);
+            for (int k = from.z; k <= to.z; ++k)
+                for (int j = from.y; j <= to.y; ++j)
+                    for (int i = from.x; i <= to.x; ++i)
+                        if (std::abs(glm::dot(normal, low_ + (glm::vec3(i, j, k) + 0.5f) * width_ - a)) <= near)
+                            cells_[index({i, j, k})] = Sign::near;
+        });
     }
 }
 
-void MeshSigns::fill(std::size_t first, Sign sign, std::vector<std::size_t>& open) {
-    cells_[first] = sign;
-    open.assign(1, first);
-    while (!open.empty()) {
-        const glm::ivec3 cell = place_of(open.back());
-        open.pop_back();
+// All unknown cells that touch this one by faces, through others.
+void MeshSigns::collect(std::size_t first, std::vector<std::size_t>& part) {
+    cells_[first] = Sign::outside; // for now
+    part.assign(1, first);
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const glm::ivec3 cell = place_of(part[n]);
         for (int axis = 0; axis < 3; ++axis)
             for (const int side : {-1, 1}) {
                 glm::ivec3 next = cell;
                 next[axis] += side;
                 if (next[axis] < 0 || next[axis] >= count_[axis] || cells_[index(next)] != Sign::unknown)
                     continue;
-                cells_[index(next)] = sign;
-                open.push_back(index(next));
+                cells_[index(next)] = Sign::outside;
+                part.push_back(index(next));
             }
     }
 }

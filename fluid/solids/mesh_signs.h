@@ -1,6 +1,7 @@
 // Which parts of a mesh's box are inside and which outside, on a grid: a point far from the surface needs no winding number.
 //
-// A cell that no triangle meets is wholly inside or wholly outside, as are all such cells that touch by a face.
+// A cell that no triangle meets is wholly inside or wholly outside, as are all such cells that touch by a face. A few cells alone are
+// left to the winding number of each point.
 // Based on: Jacobson, Kavan & Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (inside by the winding number).
 #pragma once
 
@@ -22,7 +23,7 @@ class MeshSigns {
     enum class Sign : std::uint8_t { unknown, near, outside, inside };
 
     void mark_near(const MeshData& data);
-    void fill(std::size_t first, Sign sign, std::vector<std::size_t>& open);
+    void collect(std::size_t first, std::vector<std::size_t>& part);
     [[nodiscard]] std::size_t index(glm::ivec3 cell) const {
         return (static_cast<std::size_t>(cell.z) * count_.y + cell.y) * count_.x + cell.x;
     }

@@ -132,22 +132,26 @@ void MeshTree::build(std::size_t at, std::span<std::uint32_t> members, const Mes
 }
 
 template <class Enter, class Visit>
-void MeshTree::walk(const Enter& enter, const Visit& visit) const {
+std::size_t MeshTree::walk(const Enter& enter, const Visit& visit) const {
     std::uint32_t open[k_depth];
+    std::size_t steps = 0;
     int count = 0;
     open[count++] = 0;
     while (count > 0) {
         const Node& node = nodes_[open[--count]];
+        ++steps;
         if (!enter(node))
             continue;
+        steps += node.count;
         for (const Triangle& triangle : triangles_of(node))
             if (!visit(triangle))
-                return;
+                return steps;
         if (node.count == 0) {
             open[count++] = node.first + 1;
             open[count++] = node.first;
         }
     }
+    return steps;
 }
 
 float MeshTree::distance(glm::vec3 p, float most) const {
@@ -177,9 +181,9 @@ float MeshTree::distance(glm::vec3 p, float most) const {
     return std::sqrt(nearest);
 }
 
-double MeshTree::winding_number(glm::vec3 p) const {
+double MeshTree::winding_number(glm::vec3 p, std::size_t* steps) const {
     double sum = 0.0;
-    walk(
+    const std::size_t walked = walk(
         [&](const Node& node) {
             const glm::vec3 to = node.centre - p;
             const float away = square(to), far = k_far * node.reach;
@@ -192,6 +196,8 @@ double MeshTree::winding_number(glm::vec3 p) const {
             sum += solid_angle(triangle.corner, p);
             return true;
         });
+    if (steps != nullptr)
+        *steps += walked;
     return sum / (4.0 * std::numbers::pi);
 }
 
@@ -209,12 +215,12 @@ bool MeshTree::crosses(glm::vec3 from, glm::vec3 to) const {
     return met;
 }
 
-float MeshTree::first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most) const {
+float MeshTree::first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most, std::size_t& steps) const {
     glm::vec3 slowness;
     for (int axis = 0; axis < 3; ++axis)
         slowness[axis] = 1.0f / (std::abs(direction[axis]) > 1e-30f ? direction[axis] : 1e-30f);
     float first = most;
-    walk(
+    steps += walk(
         [&](const Node& node) {
             const glm::vec3 one = (node.low - from) * slowness, other = (node.high - from) * slowness;
             const glm::vec3 in = glm::min(one, other), out = glm::max(one, other);

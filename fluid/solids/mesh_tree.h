@@ -22,12 +22,13 @@ class MeshTree {
 
     /// [m] To the nearest triangle, or `most` where none is nearer.
     [[nodiscard]] float distance(glm::vec3 point, float most) const;
-    [[nodiscard]] double winding_number(glm::vec3 point) const;
+    /// Adds to `steps` the nodes and triangles that it looks at.
+    [[nodiscard]] double winding_number(glm::vec3 point, std::size_t* steps = nullptr) const;
     /// Whether a triangle is met by the segment, its ends counted in. No segment passes between two triangles with a common edge.
     [[nodiscard]] bool crosses(glm::vec3 from, glm::vec3 to) const;
     /// [m] Along a ray to the first triangle whose normal is `along` within 45 degrees, or `most`. `direction` and `along` are
-    /// unit vectors.
-    [[nodiscard]] float first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most) const;
+    /// unit vectors. Adds to `steps` as the winding number does.
+    [[nodiscard]] float first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most, std::size_t& steps) const;
 
     [[nodiscard]] std::size_t memory_bytes() const {
         return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
@@ -52,9 +53,9 @@ class MeshTree {
     [[nodiscard]] std::span<const Triangle> triangles_of(const Node& node) const {
         return std::span(triangles_).subspan(node.first, node.count);
     }
-    /// enter(node): whether to go on into it; visit(triangle): whether to go on at all.
+    /// enter(node): whether to go on into it; visit(triangle): whether to go on at all. Returns how many of both it looked at.
     template <class Enter, class Visit>
-    void walk(const Enter& enter, const Visit& visit) const;
+    std::size_t walk(const Enter& enter, const Visit& visit) const;
 
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;
