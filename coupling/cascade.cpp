@@ -1,13 +1,18 @@
 #include "coupling/cascade.h"
 
+#include "fluid/core/archive.h"
 #include "fluid/core/validation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 namespace windrow {
 namespace {
+
+constexpr detail::Format k_cascade_format{"WINDLAGS", detail::Layout("cascade 1").with<CascadeConfig>().version(),
+                                          "saved cascade", "Cascade::save"};
 
 bool finite(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -101,6 +106,59 @@ Result<void> Cascade::move(glm::dvec3 offset) {
                 row->stages[at] += offset[n];
         }
     return {};
+}
+
+// Bytes of a row, whose stages have their number, and back.
+void Cascade::fields(auto& archive, auto& row) {
+    constexpr double k_farthest = 1e300, k_unit = 1e-6; // differences of such places are numbers
+    for (auto& part : row.body)
+        archive(part);
+    for (auto& part : row.stages)
+        archive(part);
+    archive(row.scale);
+    if constexpr (detail::Reading<decltype(archive)>) {
+        double square = 0.0;
+        for (std::size_t n = 3; n < k_parts; ++n)
+            square += row.body[n] * row.body[n];
+        archive.require(std::abs(square - 1.0) <= k_unit, "the rotation of its body is not of length 1.");
+        archive.require(row.scale > 0.0, "its scale is not above 0.");
+        const auto holds = [&](std::size_t n, double part) {
+            return std::abs(part) <= (n % k_parts < 3 ? k_farthest : 1.0 + k_unit);
+        };
+        for (std::size_t n = 0; n < row.stages.size(); ++n)
+            archive.require(holds(n, row.stages[n]) && holds(n, row.body[n % k_parts]), "a stage is out of range.");
+    }
+}
+
+Result<std::vector<std::byte>> Cascade::save() const {
+    return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        detail::Writer writer(256 + 2 * now_.stages.size() * sizeof(double));
+        writer(config_);
+        for (const Row* row : {&now_, &before_})
+            fields(writer, *row);
+        return std::move(writer).finish(k_cascade_format);
+    });
+}
+
+Result<Cascade> Cascade::load(std::span<const std::byte> bytes) {
+    return detail::where_memory_lasts([&]() -> Result<Cascade> {
+        std::optional<Cascade> cascade;
+        auto read = detail::read_sealed(bytes, k_cascade_format, [&](detail::Reader& reader) {
+            CascadeConfig config;
+            reader(config);
+            if (reader.rejected())
+                return;
+            auto made = create(config, {});
+            if (!made)
+                return reader.reject(made.error());
+            cascade = *std::move(made);
+            for (Row* row : {&cascade->now_, &cascade->before_})
+                fields(reader, *row);
+        });
+        if (!read)
+            return Error{read.error()};
+        return *std::move(cascade);
+    });
 }
 
 // As windrow_cascade_stage, windrow_cascade_fraction and windrow_pose_between, in double.

@@ -17,6 +17,7 @@
 #include "cascade_step.h"
 #include "motion_blocks.h"
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -77,6 +78,11 @@ class WINDROW_API Cascade {
     [[nodiscard]] std::span<const PoseBlock> previous_shader_poses(glm::dvec3 anchor);
     [[nodiscard]] const CascadeConfig& config() const { return config_; }
 
+    /// All of it as bytes.
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
+    /// Goes on to the bit as the one that was saved. Rejects bytes that `save` did not return.
+    [[nodiscard]] static Result<Cascade> load(std::span<const std::byte> bytes);
+
   private:
     static constexpr std::size_t k_parts = 7; // x, y, z of the position, x, y, z, w of the rotation
 
@@ -86,6 +92,7 @@ class WINDROW_API Cascade {
         double scale = 1.0;
     };
     Cascade(const CascadeConfig& config, CascadeStep step) : config_(config), step_(std::move(step)) {}
+    static void fields(auto& archive, auto& row);
     [[nodiscard]] Pose read(const Row& row, double height) const;
     [[nodiscard]] static std::span<const PoseBlock> poses_of(const Row& row, glm::dvec3 anchor, std::vector<PoseBlock>& poses);
 

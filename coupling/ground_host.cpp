@@ -24,10 +24,14 @@ double rounded(double texels) {
 } // namespace
 
 Result<void> GroundHost::follow(glm::dvec3 point) {
-    if (!(std::abs(point.x) <= k_farthest) || !(std::abs(point.z) <= k_farthest))
+    if (!is_in_reach({point.x, point.z}))
         return Error{message("The ground is to follow ", point, ": give finite x and z within ", k_farthest, " m.")};
     point_ = {point.x, point.z};
     return {};
+}
+
+bool GroundHost::is_in_reach(glm::dvec2 point) {
+    return std::abs(point.x) <= k_farthest && std::abs(point.y) <= k_farthest;
 }
 
 GroundHost::Texel GroundHost::corner_about(glm::dvec2 point) const {

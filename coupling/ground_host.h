@@ -5,8 +5,10 @@
 #include "coupling/motion_blocks.h"
 #include "coupling/motion_numerics.h"
 #include "fluid/api.h"
+#include "fluid/core/archive.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -37,6 +39,10 @@ class WINDROW_INTERNAL GroundHost {
     /// Number of further ones.
     [[nodiscard]] int left_out() const { return left_out_; }
 
+    /// To bytes and back, beside the config: a function for both (fluid/core/archive.h).
+    template <class Archive, class Host>
+    static void fields(Archive& archive, Host& host);
+
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
     /// `now` of the next step.
     [[nodiscard]] GroundPlaceBlock next_place(glm::dvec3 anchor) const;
@@ -48,6 +54,7 @@ class WINDROW_INTERNAL GroundHost {
         glm::dvec2 point{0.0}; // that the rim follows
         glm::vec2 lean{0.0f};
     };
+    [[nodiscard]] static bool is_in_reach(glm::dvec2 point);
     [[nodiscard]] Texel corner_about(glm::dvec2 point) const;
     [[nodiscard]] glm::ivec2 slot_of(Texel corner) const;
     [[nodiscard]] GroundPlaceBlock place_block(const Place& place, glm::dvec3 anchor) const;
@@ -61,5 +68,25 @@ class WINDROW_INTERNAL GroundHost {
     std::size_t walker_count_ = 0;
     int left_out_ = 0;
 };
+
+template <class Archive, class Host>
+void GroundHost::fields(Archive& archive, Host& host) {
+    archive(host.point_, host.begun_, host.left_out_);
+    constexpr bool reads = Reading<Archive>;
+    if constexpr (reads)
+        archive.require(is_in_reach(host.point_) && host.left_out_ >= 0, "the point that it follows is out of range.");
+    for (auto* place : {&host.now_, &host.before_}) {
+        if (!host.begun_) // they have none
+            return;
+        archive(place->point, place->lean);
+        if constexpr (reads) {
+            archive.require(is_in_reach(place->point) && std::abs(place->lean.x) <= WINDROW_GROUND_MOST_LEAN &&
+                                std::abs(place->lean.y) <= WINDROW_GROUND_MOST_LEAN,
+                            "its window, or the wind there, is out of range.");
+            if (!archive.rejected())
+                place->corner = host.corner_about(place->point);
+        }
+    }
+}
 
 } // namespace windrow::detail

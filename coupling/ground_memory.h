@@ -17,7 +17,9 @@
 #include "ground_config.h"
 #include "motion_blocks.h"
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace windrow {
 
@@ -64,6 +66,11 @@ class WINDROW_API GroundMemory {
     /// And where they lie, relative to `anchor` [m].
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
     [[nodiscard]] const GroundConfig& config() const;
+
+    /// All of it as bytes: trails, plants on the move, and the window.
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
+    /// Goes on to the bit as the one that was saved. Rejects bytes that `save` did not return.
+    [[nodiscard]] static Result<GroundMemory> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
 
     /// One that was moved from may be assigned to, copied or destroyed, no more.
     GroundMemory(GroundMemory&&) noexcept;

@@ -14,7 +14,9 @@
 #include "motion_blocks.h"
 
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace windrow {
 
@@ -116,12 +118,25 @@ struct SpringBatch {
     std::span<Real> place_previous{};     ///< receives the old `place`, for motion vectors. Empty: not needed
 };
 
+/// The springs of a batch after a step as bytes: place, velocity, target_now, and what it has of remainders and place_previous.
+/// `Real` float or double. Rejects arrays of different lengths.
+template <class Real>
+[[nodiscard]] Result<std::vector<std::byte>> save_springs(const SpringBatch<Real>& batch);
+/// Fills the arrays of a batch, and `target` with what is target_before in the next step: they go on to the bit. Rejects bytes that
+/// save_springs did not return, and arrays that are not as many or as long as those saved; nothing has changed then.
+template <class Real>
+[[nodiscard]] Result<void> load_springs(std::span<const std::byte> bytes, const SpringBatch<Real>& batch, std::span<Real> target);
+
 /// Advances all springs by one step, `Real` float or double. What falls below 1e-20 is 0. Rejects arrays of different lengths.
 /// Any number of threads gives the same bits. In float a step rounds each place once: after thousands of short steps some 1e-6 of
 /// the largest place. With the remainders, or in double, it is below that.
 template <class Real>
 Result<void> advance_springs(const SpringStep& step, const SpringBatch<Real>& batch, ParallelFor parallel_for = {});
 
+extern template Result<std::vector<std::byte>> save_springs<float>(const SpringBatch<float>&);
+extern template Result<std::vector<std::byte>> save_springs<double>(const SpringBatch<double>&);
+extern template Result<void> load_springs<float>(std::span<const std::byte>, const SpringBatch<float>&, std::span<float>);
+extern template Result<void> load_springs<double>(std::span<const std::byte>, const SpringBatch<double>&, std::span<double>);
 extern template Result<void> advance_springs<float>(const SpringStep&, const SpringBatch<float>&, ParallelFor);
 extern template Result<void> advance_springs<double>(const SpringStep&, const SpringBatch<double>&, ParallelFor);
 

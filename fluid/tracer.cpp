@@ -1,6 +1,8 @@
 #include "fluid/tracer.h"
 
+#include "fluid/core/archive.h"
 #include "fluid/core/message.h"
+#include "fluid/core/obstacle_record.h"
 #include "fluid/solids/solids.h"
 
 #include <algorithm>
@@ -11,6 +13,11 @@
 #include <utility>
 
 namespace windrow {
+namespace {
+
+constexpr detail::Format k_smoke_format{"WINDSMOK", detail::Layout("tracer 1").version(), "saved tracer", "Tracer::save"};
+
+} // namespace
 
 Result<Tracer> Tracer::create(const WindView& air, const ParallelFor& parallel_for) {
     auto work = Workspace::create({.box = air.box(), .ambient = air.ambient().mean(), .parallel_for = parallel_for});
@@ -72,6 +79,50 @@ Result<void> Tracer::step(const WindView& air, std::span<const PlacedObstacle> o
         return carried;
     cells_.swap(carried_);
     return {};
+}
+
+Result<std::vector<std::byte>> Tracer::save() const {
+    return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        detail::Writer writer(64 + cells_.size() * sizeof(float));
+        writer(window_.cells, window_.cell_size, window_.origin_cells, work_.ambient(), cells_);
+        return std::move(writer).finish(k_smoke_format);
+    });
+}
+
+Result<Tracer> Tracer::load(std::span<const std::byte> bytes, const WindView& air, std::span<const PlacedObstacle> obstacles,
+                            const ParallelFor& parallel_for) {
+    return detail::where_memory_lasts([&]() -> Result<Tracer> {
+        glm::ivec3 cells(0);
+        float cell_size = 0.0f;
+        CellIndex origin(0);
+        glm::vec3 ambient(0.0f);
+        std::vector<float> values;
+        auto read = detail::read_sealed(bytes, k_smoke_format, [&](detail::Reader& reader) {
+            reader(cells, cell_size, origin, ambient, values);
+            reader.require(detail::in_range(origin), "its box is out of range.");
+            for (int axis = 0; axis < 3; ++axis)
+                reader.require(std::abs(ambient[axis]) <= 1e4f, "its wind is out of range.");
+            reader.require(std::ranges::all_of(values, [](float value) { return value >= 0.0f && value <= 1.0f; }),
+                           "a cell does not hold 0 to 1.");
+        });
+        if (!read)
+            return Error{read.error()};
+        if (cells != air.window().cells || cell_size != air.window().cell_size || values.size() != air.box().cell_count())
+            return Error{detail::message("the wind has ", air.window().cells, " cells of ", air.window().cell_size,
+                                         " m and the saved tracer ", cells, " of ", cell_size,
+                                         " m: load it with the wind of the same moment.")};
+        auto work = Workspace::create({.box = air.box(), .ambient = ambient, .parallel_for = parallel_for});
+        if (!work)
+            return Error{work.error()};
+        if (auto placed = work->set_obstacles(obstacles); !placed)
+            return Error{placed.error()};
+        Tracer tracer(air, *std::move(work));
+        tracer.window_.origin_cells = origin;
+        tracer.cells_ = std::move(values);
+        if (tracer.work_.solids() != nullptr)
+            tracer.joined_.resize(tracer.cells_.size());
+        return tracer;
+    });
 }
 
 void Tracer::blow(glm::dvec3 point, float radius) {

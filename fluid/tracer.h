@@ -16,6 +16,7 @@
 #include "result.h"
 #include "view.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -39,6 +40,13 @@ class WINDROW_API Tracer {
 
     /// 0 to 1.
     [[nodiscard]] std::span<const float> cells() const { return cells_; }
+
+    /// All of it as bytes, to go on with the wind of the same moment (Wind::save).
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
+    /// Goes on to the bit as the one that was saved. `air` and `obstacles` are those of its last step. Rejects bytes that `save` did
+    /// not return, and a wind with other cells.
+    [[nodiscard]] static Result<Tracer> load(std::span<const std::byte> bytes, const WindView& air,
+                                             std::span<const PlacedObstacle> obstacles, const ParallelFor& parallel_for = {});
 
   private:
     Tracer(const WindView& air, Workspace work);

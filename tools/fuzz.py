@@ -28,7 +28,7 @@ TABLE = CORPUS / "counts.csv"
 COLUMNS = ("parser", "preset", "executions", "accepted", "accepted_percent", "seconds", "per_second")
 # [byte] Of an input: room for a few of the largest seeds, and small enough for thousands of executions a second.
 LONGEST = {"scene": 4096, "picture": 12288, "path_table": 1024, "obstacle_mesh": 2048, "vox": 1024, "map": 512, "obj": 4096,
-           "gltf": 4096, "glb": 4096, "snapshot": 8192, "event_log": 2048, "command_line": 256}
+           "gltf": 4096, "glb": 4096, "snapshot": 8192, "event_log": 2048, "saved": 8192, "command_line": 256}
 LONGEST_SLICE = 900  # [s] until a process that hangs is killed: a slice, and reading a large corpus before it
 SLICE = 60  # [s] after which the next parser has its turn, and the table is written
 

@@ -358,6 +358,20 @@ class Reader {
     SharedMet met_;
 };
 
+/// Hands the content of a sealed file to `read`, which takes a Reader, all of it. An error names the format.
+template <class Read>
+[[nodiscard]] Result<void> read_sealed(std::span<const std::byte> bytes, const Format& format, const Read& read) {
+    const auto content = unseal(bytes, format);
+    if (!content)
+        return Error{content.error()};
+    Reader reader(*content);
+    read(reader);
+    reader.end();
+    if (reader.rejected())
+        return Error{message(format.name, " cannot be used: ", reader.reason())};
+    return {};
+}
+
 /// Operations of a reader only: allocation and checks.
 template <class Archive>
 concept Reading = std::same_as<std::remove_cvref_t<Archive>, Reader>;

@@ -1,5 +1,8 @@
 // Writes the binary seeds of the fuzz targets into a folder: snapshots, event logs, and a mesh as GLB.
+#include "coupling/cascade.h"
+#include "coupling/ground_memory.h"
 #include "fluid/event_log.h"
+#include "fluid/saved_parts.h"
 #include "fluid/wind.h"
 #include "vegetation/tests/fur/fixtures.h"
 
@@ -132,6 +135,23 @@ void write_logs() {
     write("event_log/fields", log.to_bytes());
 }
 
+/// Small states in mid-motion, and two of them in one file.
+void write_saved() {
+    auto ground = *GroundMemory::create({.texels = 8, .texel_size = 1.0f});
+    const GroundWalker walker{.position = {0.2, 0.0, 0.1}};
+    for (int n = 0; n < 2; ++n)
+        (void)ground.advance({.duration = 0.02, .walkers = {&walker, 1}, .wind_lean = {0.1f, 0.0f}});
+    write("saved/ground", ground.save());
+    auto tail = *Cascade::create({.stages = 2}, {});
+    (void)tail.advance(0.02, {.position = {0.1, 0.0, 0.0}});
+    write("saved/cascade", tail.save());
+    std::vector<float> place{0.1f, 0.2f}, velocity{0.0f, 1.0f}, target{0.3f, 0.0f};
+    write("saved/springs", save_springs<float>({place, velocity, target, target}));
+    const auto one = tail.save();
+    const SavedPart parts[] = {{"tail", *one}, {"none", {}}};
+    write("saved/parts", join_parts(parts));
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
@@ -142,6 +162,7 @@ int main(int count, char** arguments) {
     seeds = arguments[1];
     write_snapshots();
     write_logs();
+    write_saved();
     write("glb/cube", mesh::cube_glb());
     return 0;
 }
