@@ -46,7 +46,7 @@ class Thickness {
   private:
     static constexpr int k_most_cuts = 4;
     static constexpr float k_thin = 32.0f; ///< times as long as high
-    static constexpr std::size_t k_most_rays = 16'384;
+    static constexpr std::size_t k_most_rays = 8'192;
 
     static float longest_edge(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});

@@ -72,7 +72,7 @@ class WINDROW_API TriangleMesh {
     [[nodiscard]] double winding_number(glm::vec3 point) const;
     /// [m] The shortest way through the body between two faces that are parallel within 45 degrees, and at most the shortest edge
     /// of the box that holds it. Measured by rays into the body from points on each triangle, no farther apart than 1/8 of the longest
-    /// edge of that box. Of a long thin triangle, parts across have none. Where large triangles have more than 16384 such points,
+    /// edge of that box. Of a long thin triangle, parts across have none. Where large triangles have more than 8192 such points,
     /// some of these have a ray, one at least of each triangle.
     [[nodiscard]] float thickness() const { return thickness_; }
 
