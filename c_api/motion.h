@@ -124,6 +124,9 @@ typedef struct windrow_cascade windrow_cascade;
 WINDROW_C_API windrow_result windrow_cascade_create(const windrow_cascade_config* config, const windrow_pose* body,
                                                     windrow_cascade** cascade);
 WINDROW_C_API void windrow_cascade_destroy(windrow_cascade* cascade);
+/* The whole state as bytes, and one that goes on from there. */
+WINDROW_C_API windrow_result windrow_cascade_save(const windrow_cascade* cascade, windrow_bytes** bytes);
+WINDROW_C_API windrow_result windrow_cascade_load(const void* bytes, uint64_t size, windrow_cascade** cascade);
 WINDROW_C_API windrow_result windrow_cascade_advance(windrow_cascade* cascade, double duration, const windrow_pose* body);
 WINDROW_C_API windrow_result windrow_cascade_reset(windrow_cascade* cascade, const windrow_pose* body);
 WINDROW_C_API windrow_result windrow_cascade_move(windrow_cascade* cascade, windrow_dvec3 offset);
@@ -202,6 +205,10 @@ typedef struct windrow_ground windrow_ground;
 WINDROW_C_API windrow_result windrow_ground_create(const windrow_ground_config* config, const windrow_parallel_for* parallel_for,
                                                    windrow_ground** ground);
 WINDROW_C_API void windrow_ground_destroy(windrow_ground* ground);
+/* The whole state as bytes, and one that goes on from there. `parallel_for` may be null. */
+WINDROW_C_API windrow_result windrow_ground_save(const windrow_ground* ground, windrow_bytes** bytes);
+WINDROW_C_API windrow_result windrow_ground_load(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
+                                                 windrow_ground** ground);
 WINDROW_C_API windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point);
 /* `wind_leans`, of `count` entries, one a texel; null: step.wind_lean everywhere. */
 WINDROW_C_API windrow_result windrow_ground_advance(windrow_ground* ground, const windrow_ground_step* step,

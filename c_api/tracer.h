@@ -14,6 +14,10 @@ typedef struct windrow_tracer windrow_tracer;
 WINDROW_C_API windrow_result windrow_tracer_create(const windrow_wind* wind, const windrow_parallel_for* parallel_for,
                                                    windrow_tracer** tracer);
 WINDROW_C_API void windrow_tracer_destroy(windrow_tracer* tracer);
+/* The whole state as bytes, and one that goes on from there, with the wind of the same moment (windrow_wind_save). */
+WINDROW_C_API windrow_result windrow_tracer_save(const windrow_tracer* tracer, windrow_bytes** bytes);
+WINDROW_C_API windrow_result windrow_tracer_load(const void* bytes, uint64_t size, const windrow_wind* wind,
+                                                 const windrow_parallel_for* parallel_for, windrow_tracer** tracer);
 /* Carries it through the step of dt [s] that the wind has just made. */
 WINDROW_C_API windrow_result windrow_tracer_step(windrow_tracer* tracer, const windrow_wind* wind, double dt);
 /* Raises cells to 1 within `radius` [m] of a world point. */

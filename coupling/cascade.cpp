@@ -156,7 +156,7 @@ Result<Cascade> Cascade::load(std::span<const std::byte> bytes) {
                 fields(reader, *row);
         });
         if (!read)
-            return Error{read.error()};
+            return read.failure();
         return *std::move(cascade);
     });
 }

@@ -180,7 +180,7 @@ Result<GroundMemory> GroundMemory::load(std::span<const std::byte> bytes, Parall
             State::fields(reader, *ground->state_);
         });
         if (!read)
-            return Error{read.error()};
+            return read.failure();
         return *std::move(ground);
     });
 }

@@ -33,7 +33,7 @@ Result<void> check(const SpringBatch<Real>& batch, std::size_t targets) {
 template <class Real>
 Result<std::vector<std::byte>> save_springs(const SpringBatch<Real>& batch) {
     if (auto valid = check(batch, batch.target_now.size()); !valid)
-        return Error{valid.error()};
+        return valid.failure();
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
         detail::Writer writer(16 + 6 * batch.place.size() * sizeof(Real));
         writer(static_cast<std::uint64_t>(batch.place.size()), !batch.place_remainder.empty(), !batch.place_previous.empty());

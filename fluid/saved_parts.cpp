@@ -34,7 +34,7 @@ Result<void> check(std::span<const SavedPart> parts) {
 Result<std::vector<std::byte>> join_parts(std::span<const SavedPart> parts) {
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
         if (auto valid = check(parts); !valid)
-            return Error{valid.error()};
+            return valid.failure();
         std::size_t size = k_parts_count_bytes;
         for (const SavedPart& part : parts)
             size += k_part_head_bytes + part.name.size() + part.bytes.size();
@@ -60,7 +60,7 @@ Result<std::vector<SavedPart>> split_parts(std::span<const std::byte> file) {
     return detail::where_memory_lasts([&]() -> Result<std::vector<SavedPart>> {
         const auto content = detail::unseal(file, k_parts_format);
         if (!content)
-            return Error{content.error()};
+            return content.failure();
         const Error damaged{message(k_parts_format.name, " cannot be used: its parts do not fill it; give what ",
                                     k_parts_format.writer, " returned.")};
         std::span<const std::byte> rest = *content;
@@ -86,7 +86,7 @@ Result<std::vector<SavedPart>> split_parts(std::span<const std::byte> file) {
         if (!rest.empty())
             return damaged;
         if (auto valid = check(parts); !valid)
-            return Error{message(k_parts_format.name, " cannot be used: ", valid.error())};
+            return valid.failure().after(message(k_parts_format.name, " cannot be used: "));
         return parts;
     });
 }

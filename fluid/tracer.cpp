@@ -84,7 +84,7 @@ Result<void> Tracer::step(const WindView& air, std::span<const PlacedObstacle> o
 Result<std::vector<std::byte>> Tracer::save() const {
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
         detail::Writer writer(64 + cells_.size() * sizeof(float));
-        writer(window_.cells, window_.cell_size, window_.origin_cells, work_.ambient(), cells_);
+        writer(window_.cells, window_.cell_size, window_.origin_cells - window_.shifted, work_.ambient(), cells_);
         return std::move(writer).finish(k_smoke_format);
     });
 }
@@ -106,18 +106,18 @@ Result<Tracer> Tracer::load(std::span<const std::byte> bytes, const WindView& ai
                            "a cell does not hold 0 to 1.");
         });
         if (!read)
-            return Error{read.error()};
+            return read.failure();
         if (cells != air.window().cells || cell_size != air.window().cell_size || values.size() != air.box().cell_count())
             return Error{detail::message("the wind has ", air.window().cells, " cells of ", air.window().cell_size,
                                          " m and the saved tracer ", cells, " of ", cell_size,
                                          " m: load it with the wind of the same moment.")};
         auto work = Workspace::create({.box = air.box(), .ambient = ambient, .parallel_for = parallel_for});
         if (!work)
-            return Error{work.error()};
+            return work.failure();
         if (auto placed = work->set_obstacles(obstacles); !placed)
-            return Error{placed.error()};
+            return placed.failure();
         Tracer tracer(air, *std::move(work));
-        tracer.window_.origin_cells = origin;
+        tracer.window_.origin_cells = origin + tracer.window_.shifted;
         tracer.cells_ = std::move(values);
         if (tracer.work_.solids() != nullptr)
             tracer.joined_.resize(tracer.cells_.size());

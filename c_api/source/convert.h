@@ -10,6 +10,7 @@
 
 #include "c_api/source/guard.h"
 #include "fluid/core/validation.h"
+#include "fluid/parallel.h"
 #include "fluid/setting.h"
 
 #include <algorithm>
@@ -230,6 +231,10 @@ template <class C>
     write_fields(typename Fields<C>::Cpp{}, value);
     value.struct_size = sizeof(C);
     return value;
+}
+
+[[nodiscard]] inline ParallelFor loop_of(const windrow_parallel_for* parallel_for) {
+    return parallel_for != nullptr ? ParallelFor{parallel_for->run, parallel_for->context} : ParallelFor{};
 }
 
 // --- Versioned structs -------------------------------------------------------------------------------------------------

@@ -188,6 +188,18 @@ WINDROW_EXPORT windrow_result windrow_cascade_create(const windrow_cascade_confi
 WINDROW_EXPORT void windrow_cascade_destroy(windrow_cascade* cascade) {
     delete cascade;
 }
+WINDROW_EXPORT windrow_result windrow_cascade_save(const windrow_cascade* cascade, windrow_bytes** bytes) {
+    return cascade == nullptr ? fail_null("cascade") : create(bytes, [&] { return cascade->cascade.save(); });
+}
+WINDROW_EXPORT windrow_result windrow_cascade_load(const void* bytes, uint64_t size, windrow_cascade** cascade) {
+    if (cascade != nullptr)
+        *cascade = nullptr;
+    return call({{bytes, "bytes"}}, [&] {
+        return create(cascade, [&] {
+            return Cascade::load(std::span(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)));
+        });
+    });
+}
 WINDROW_EXPORT windrow_result windrow_cascade_advance(windrow_cascade* cascade, double duration, const windrow_pose* body) {
     return call({{cascade, "cascade"}, {body, "body"}}, [&] { return cascade->cascade.advance(duration, plain(*body)); });
 }
@@ -230,6 +242,20 @@ WINDROW_EXPORT windrow_result windrow_ground_create(const windrow_ground_config*
 }
 WINDROW_EXPORT void windrow_ground_destroy(windrow_ground* ground) {
     delete ground;
+}
+WINDROW_EXPORT windrow_result windrow_ground_save(const windrow_ground* ground, windrow_bytes** bytes) {
+    return ground == nullptr ? fail_null("ground") : create(bytes, [&] { return ground->ground.save(); });
+}
+WINDROW_EXPORT windrow_result windrow_ground_load(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
+                                                  windrow_ground** ground) {
+    if (ground != nullptr)
+        *ground = nullptr;
+    return call({{bytes, "bytes"}}, [&] {
+        return create(ground, [&] {
+            return GroundMemory::load(std::span(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)),
+                                      loop_of(parallel_for));
+        });
+    });
 }
 WINDROW_EXPORT windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point) {
     return call({{ground, "ground"}}, [&] { return ground->ground.follow(to_cpp(point)); });

@@ -38,9 +38,6 @@ WINDROW_C_STRUCT(windrow_ground_walker, GroundWalker, position, previous, foot_h
 WINDROW_C_STRUCT_BUT(1, windrow_ground_step, GroundStep, duration, wind_lean);
 WINDROW_C_STRUCT(windrow_ground_sample, GroundSample, lean, trample, trail);
 
-[[nodiscard]] inline ParallelFor loop_of(const windrow_parallel_for* parallel_for) {
-    return parallel_for != nullptr ? ParallelFor{parallel_for->run, parallel_for->context} : ParallelFor{};
-}
 /// An array of C as the same of C++.
 template <class To, class From>
 [[nodiscard]] std::span<To> span_of(From* from, std::uint64_t count) {

@@ -25,9 +25,23 @@ WINDROW_EXPORT windrow_result windrow_tracer_create(const windrow_wind* wind, co
         return create(tracer, [&]() -> Result<Tracer> {
             if (wind->cpu == nullptr)
                 return needs_cpu();
-            return Tracer::create(wind->cpu->view(), parallel_for != nullptr
-                                                         ? ParallelFor{parallel_for->run, parallel_for->context}
-                                                         : ParallelFor{});
+            return Tracer::create(wind->cpu->view(), loop_of(parallel_for));
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_tracer_save(const windrow_tracer* tracer, windrow_bytes** bytes) {
+    return tracer == nullptr ? fail_null("tracer") : create(bytes, [&] { return tracer->tracer.save(); });
+}
+WINDROW_EXPORT windrow_result windrow_tracer_load(const void* bytes, uint64_t size, const windrow_wind* wind,
+                                                  const windrow_parallel_for* parallel_for, windrow_tracer** tracer) {
+    if (tracer != nullptr)
+        *tracer = nullptr;
+    return call({{bytes, "bytes"}, {wind, "wind"}}, [&] {
+        return create(tracer, [&]() -> Result<Tracer> {
+            if (wind->cpu == nullptr)
+                return needs_cpu();
+            return Tracer::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)}, wind->cpu->view(),
+                                wind->cpu->obstacles().in_reach(), loop_of(parallel_for));
         });
     });
 }

@@ -207,8 +207,8 @@ WINDROW_EXPORT windrow_result windrow_wind_load(const void* bytes, uint64_t size
     if (wind != nullptr)
         *wind = nullptr;
     return call({{bytes, "bytes"}, {wind, "wind"}}, [&] {
-        const ParallelFor loop = parallel_for != nullptr ? ParallelFor{parallel_for->run, parallel_for->context} : ParallelFor{};
-        return make_cpu_wind(wind, Wind::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)}, loop));
+        return make_cpu_wind(
+            wind, Wind::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)}, loop_of(parallel_for)));
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_record_to(windrow_wind* wind, windrow_event_log* log) {

@@ -363,7 +363,7 @@ template <class Read>
 [[nodiscard]] Result<void> read_sealed(std::span<const std::byte> bytes, const Format& format, const Read& read) {
     const auto content = unseal(bytes, format);
     if (!content)
-        return Error{content.error()};
+        return content.failure();
     Reader reader(*content);
     read(reader);
     reader.end();

@@ -155,7 +155,7 @@ Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::create(MeshData data) 
         data.triangles.shrink_to_fit();
         std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data)));
         if (auto measured = mesh->measure(); !measured)
-            return Error{measured.error()};
+            return measured.failure();
         return std::shared_ptr<const TriangleMesh>(std::move(mesh));
     });
 }

@@ -183,7 +183,8 @@ static void check_springs(void) {
 
 static void check_cascade(void) {
     windrow_cascade_config config;
-    windrow_cascade* tail = NULL;
+    windrow_cascade *tail = NULL, *again = NULL;
+    windrow_bytes* bytes = NULL;
     windrow_pose body, tip;
     const windrow_pose_block* poses = NULL;
     uint64_t count = 0;
@@ -199,6 +200,11 @@ static void check_cascade(void) {
     CHECK_OK(windrow_cascade_previous_at(tail, 1.0, &tip));
     CHECK(tip.position.x == 0.0);
     CHECK_OK(windrow_cascade_move(tail, dvec3(0.0, 5.0, 0.0)));
+    CHECK_OK(windrow_cascade_save(tail, &bytes));
+    CHECK_OK(windrow_cascade_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), &again));
+    windrow_bytes_destroy(bytes);
+    windrow_cascade_destroy(tail);
+    tail = again;
     CHECK_OK(windrow_cascade_shader_poses(tail, dvec3(0.0, 0.0, 0.0), &poses, &count));
     CHECK(count == 11 && poses[0].place.y == 5.0f);
     CHECK_OK(windrow_cascade_previous_shader_poses(tail, dvec3(0.0, 0.0, 0.0), &poses, &count));
@@ -212,7 +218,9 @@ static void check_cascade(void) {
 
 static void check_ground(void) {
     windrow_ground_config config;
-    windrow_ground* ground = NULL;
+    windrow_ground *ground = NULL, *again = NULL;
+    windrow_cascade* tail = NULL;
+    windrow_bytes* bytes = NULL;
     windrow_ground_step step;
     windrow_ground_walker walker;
     windrow_ground_sample here, away, before;
@@ -242,6 +250,12 @@ static void check_ground(void) {
     CHECK_OK(windrow_ground_advance(ground, &step, leans, 32 * 32));
     CHECK_OK(windrow_ground_previous_at(ground, dvec3(0.5, 0.0, 0.5), &before));
     CHECK(memcmp(&before, &here, sizeof here) == 0);
+    CHECK_OK(windrow_ground_save(ground, &bytes));
+    CHECK_OK(windrow_ground_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), NULL, &again));
+    CHECK(memcmp(windrow_ground_texels(ground, NULL), windrow_ground_texels(again, NULL), count * sizeof(windrow_vec4)) == 0);
+    windrow_ground_destroy(again);
+    CHECK_FAILS(windrow_cascade_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), &tail), WINDROW_REJECTED, "cascade");
+    windrow_bytes_destroy(bytes);
     CHECK_FAILS(windrow_ground_advance(ground, &step, leans, 5), WINDROW_REJECTED, "5");
     CHECK(windrow_ground_walkers_left_out(ground) == 0);
     CHECK_OK(windrow_ground_block_of(ground, dvec3(0.0, 0.0, 0.0), &block));

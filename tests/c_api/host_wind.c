@@ -96,7 +96,8 @@ static void check_textures(windrow_wind* wind) {
 }
 
 static void check_tracer(windrow_wind* wind) {
-    windrow_tracer* smoke = NULL;
+    windrow_tracer *smoke = NULL, *again = NULL;
+    windrow_bytes* bytes = NULL;
     const float* cells = NULL;
     uint64_t count = 0, n;
     double before = 0.0, after = 0.0, moved = 0.0;
@@ -115,6 +116,11 @@ static void check_tracer(windrow_wind* wind) {
         after += (double)cells[n];
         moved += (double)cells[n] * (double)(n % 24);
     }
+    CHECK_OK(windrow_tracer_save(smoke, &bytes));
+    CHECK_OK(windrow_tracer_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), wind, NULL, &again));
+    CHECK(memcmp(windrow_tracer_cells(again, NULL), cells, count * sizeof(float)) == 0);
+    windrow_tracer_destroy(again);
+    windrow_bytes_destroy(bytes);
     CHECK(before > 4.0 && fabs(after - before) < 0.2 * before && moved > 0.2 * before); /* downwind, by some of a cell */
     windrow_tracer_destroy(smoke);
 }

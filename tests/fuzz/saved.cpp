@@ -38,7 +38,7 @@ ReadOutcome read_input(std::string_view text) {
     }
     std::vector<float> values(10);
     const auto array = [&](std::size_t n) { return std::span(values).subspan(2 * n, 2); };
-    if (load_springs<float>(bytes, {.place = array(0), .velocity = array(1)}, array(2))) {
+    if (load_springs<float>(bytes, {.place = array(0), .velocity = array(1), .target_before = {}, .target_now = {}}, array(2))) {
         const auto step = spring_step(springs::grass, 0.02);
         (void)advance_springs<float>(*step, {array(0), array(1), array(2), array(2)});
         require(std::isfinite(values[0]), "loaded springs have finite places");

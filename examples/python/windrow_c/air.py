@@ -344,6 +344,8 @@ AIR = [
     ("windrow_event_log_replay", c.c_int32, c.c_void_p, c.c_void_p),
     ("windrow_tracer_create", c.c_int32, c.c_void_p, P(ParallelFor), P(c.c_void_p)),
     ("windrow_tracer_destroy", None, c.c_void_p),
+    ("windrow_tracer_save", c.c_int32, c.c_void_p, P(c.c_void_p)),
+    ("windrow_tracer_load", c.c_int32, c.c_void_p, c.c_uint64, c.c_void_p, P(ParallelFor), P(c.c_void_p)),
     ("windrow_tracer_step", c.c_int32, c.c_void_p, c.c_void_p, c.c_double),
     ("windrow_tracer_blow", c.c_int32, c.c_void_p, DVec3, c.c_float),
     ("windrow_tracer_cells", P(c.c_float), c.c_void_p, P(c.c_uint64)),

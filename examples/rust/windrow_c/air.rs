@@ -458,6 +458,10 @@ extern "C" {
         wind: *const c_void, parallel_for: *const ParallelFor, tracer: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_tracer_destroy(tracer: *mut c_void);
+    pub fn windrow_tracer_save(tracer: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_tracer_load(
+        bytes: *const c_void, size: u64, wind: *const c_void, parallel_for: *const ParallelFor, tracer: *mut *mut c_void
+    ) -> ResultCode;
     pub fn windrow_tracer_step(tracer: *mut c_void, wind: *const c_void, dt: f64) -> ResultCode;
     pub fn windrow_tracer_blow(tracer: *mut c_void, point: DVec3, radius: f32) -> ResultCode;
     pub fn windrow_tracer_cells(tracer: *const c_void, count: *mut u64) -> *const f32;

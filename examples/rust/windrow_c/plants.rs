@@ -251,6 +251,8 @@ extern "C" {
         config: *const CascadeConfig, body: *const Pose, cascade: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_cascade_destroy(cascade: *mut c_void);
+    pub fn windrow_cascade_save(cascade: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_cascade_load(bytes: *const c_void, size: u64, cascade: *mut *mut c_void) -> ResultCode;
     pub fn windrow_cascade_advance(cascade: *mut c_void, duration: f64, body: *const Pose) -> ResultCode;
     pub fn windrow_cascade_reset(cascade: *mut c_void, body: *const Pose) -> ResultCode;
     pub fn windrow_cascade_move(cascade: *mut c_void, offset: DVec3) -> ResultCode;
@@ -268,6 +270,10 @@ extern "C" {
         config: *const GroundConfig, parallel_for: *const ParallelFor, ground: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_ground_destroy(ground: *mut c_void);
+    pub fn windrow_ground_save(ground: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_ground_load(
+        bytes: *const c_void, size: u64, parallel_for: *const ParallelFor, ground: *mut *mut c_void
+    ) -> ResultCode;
     pub fn windrow_ground_follow(ground: *mut c_void, point: DVec3) -> ResultCode;
     pub fn windrow_ground_advance(
         ground: *mut c_void, step: *const GroundStep, wind_leans: *const Vec2, count: u64
