@@ -48,13 +48,19 @@ class Twin {
                 .tile = motors_.tile(ambient.tile()),
                 .ambient = &ambient,
                 .window = &window,
+                .relaxation_time = relaxation_time(core.config, false),
                 .renews_sources = sources != sources_before,
                 .has_source_flow = sources != 0});
     }
 
     // The device alone, without motors, in `ambient`, which it advances.
     void step_device(double dt, AmbientWind& ambient, const Air::Recorded& recorded) {
-        record({.duration = dt, .ambient = &ambient, .window = &wind_.state().core.window()}, recorded);
+        const WindCore& core = wind_.state().core;
+        record({.duration = dt,
+                .ambient = &ambient,
+                .window = &core.window(),
+                .relaxation_time = relaxation_time(core.config, false)},
+               recorded);
         ambient.advance(dt);
     }
 

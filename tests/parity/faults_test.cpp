@@ -24,7 +24,7 @@ struct Everything {
     {                                                                                                                            \
         auto result = (expression);                                                                                              \
         if (!result)                                                                                                             \
-            return Error{result.error()};                                                                                        \
+            return result.failure();                                                                                             \
         (target) = *std::move(result);                                                                                           \
     }
 

@@ -66,7 +66,10 @@ class AnyHost {
     AnyHost(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
 
     void call() {
-        switch (random_.integer(0, 25)) {
+        switch (random_.integer(0, 26)) {
+        case 26:
+            (void)wind_.shift_origin(glm::round(random_.point(30.0)));
+            return;
         case 0:
         case 1:
             if (const auto id = wind_.motors().add(random_motor(random_)))

@@ -273,7 +273,7 @@ TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
         {voxels(R"("file": "two.vox")"), "two.vox: has 2 models: merge them, or save each in a file of its own."},
         {voxels(R"("file": "beyond.vox")"), "beyond.vox: byte 60: the cell (0, 2, 0) is outside of the model of (3, 2, 4)"},
         {voxels(R"("file": "large.vox")"), "large.vox: byte 32: a model has 300 cells along an axis: give 1 to 256."},
-        {voxels(R"("file": "air.vox")"), "air.vox: the voxel grid has no closed cell: close one at least."},
+        {voxels(R"("file": "air.vox")"), "air.vox: byte 56: the model has no voxel: fill one at least."},
         {voxels(R"("file": "tower.vox", "cell_size": -1)"), "$.obstacles[0].shape.voxels.cell_size is -1 m"},
         {mesh(R"("file": "open.obj")") + "," + mesh(R"("file": "open.obj")"),
          "$.obstacles[1].shape.mesh.file names a file that cannot be used: see above."},
