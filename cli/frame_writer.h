@@ -41,7 +41,7 @@ class FrameWriter {
     [[nodiscard]] std::size_t pictures() const { return pictures_.size(); }
     [[nodiscard]] std::size_t vdbs() const { return vdbs_; }
     [[nodiscard]] bool has_contact_sheet() const { return contact_sheet_; }
-    /// Once all frames are written: what of another run lies in the folder (scene/frame_files.h).
+    /// Once all frames are written: what another run left in the folder (scene/frame_files.h).
     [[nodiscard]] std::string clear_other_frames(scene::Extent extent) const;
 
   private:

@@ -46,7 +46,7 @@ int main() {
     if (!rider || !rider_too)
         return 2;
 
-    glm::dvec3 origin(0.0); // where the floating world's origin lies in the fixed one
+    glm::dvec3 origin(0.0); // [m] place of the floating world's origin in the fixed one
     const double period = floating->ambient_wind().period();
     double worst = 0.0;
     for (int frame = 1; frame <= 3000; ++frame) {

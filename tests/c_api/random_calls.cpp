@@ -140,7 +140,7 @@ void fill(World& world, windrow_rows& rows) {
     rows.heights = world.array<float>(rows.height_count);
 }
 
-// More numbers than any box of a story has cells: no measure tells how many a file's grid takes.
+// As many as the largest box of a story has cells: the structs of files do not count them.
 constexpr std::uint64_t k_values = 12 * 12 * 12;
 
 void fill(World& world, windrow_vdb_scalar& grid) {
