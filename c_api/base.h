@@ -134,6 +134,18 @@ WINDROW_C_API const uint8_t* windrow_bytes_data(const windrow_bytes* bytes);
 WINDROW_C_API uint64_t windrow_bytes_size(const windrow_bytes* bytes);
 WINDROW_C_API void windrow_bytes_destroy(windrow_bytes* bytes);
 
+/* Several saved states in one file, each under a name of 1 to 64 letters: the air, the ground's trails, smoke. */
+typedef struct windrow_saved_part {
+    const char* name;
+    const void* bytes;
+    uint64_t size;
+} windrow_saved_part;
+/* At most 4096 parts. */
+WINDROW_C_API windrow_result windrow_parts_join(const windrow_saved_part* parts, uint64_t count, windrow_bytes** file);
+/* The part with a name, within `bytes`, a file that windrow_parts_join made. Rejects another file, and a name that it lacks. */
+WINDROW_C_API windrow_result windrow_parts_find(const void* bytes, uint64_t size, const char* name, const void** part,
+                                                uint64_t* part_size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -210,6 +210,8 @@ WINDROW_C_API windrow_result windrow_ground_save(const windrow_ground* ground, w
 WINDROW_C_API windrow_result windrow_ground_load(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
                                                  windrow_ground** ground);
 WINDROW_C_API windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point);
+/* The origin of the host's world has moved: all places of the ground move by `offset` [m] of any length, of which x and z count. */
+WINDROW_C_API windrow_result windrow_ground_shift_origin(windrow_ground* ground, windrow_dvec3 offset);
 /* `wind_leans`, of `count` entries, one a texel; null: step.wind_lean everywhere. */
 WINDROW_C_API windrow_result windrow_ground_advance(windrow_ground* ground, const windrow_ground_step* step,
                                                     const windrow_vec2* wind_leans, uint64_t count);

@@ -18,6 +18,8 @@ WINDROW_C_API windrow_result windrow_vulkan_ground_create(const windrow_vulkan_h
 /* No recording of it is in flight. */
 WINDROW_C_API void windrow_vulkan_ground_destroy(windrow_vulkan_ground* ground);
 WINDROW_C_API windrow_result windrow_vulkan_ground_follow(windrow_vulkan_ground* ground, windrow_dvec3 point);
+/* As windrow_ground_shift_origin. */
+WINDROW_C_API windrow_result windrow_vulkan_ground_shift_origin(windrow_vulkan_ground* ground, windrow_dvec3 offset);
 WINDROW_C_API windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground* ground, void* commands,
                                                           const windrow_ground_step* step, windrow_wind_leans leans);
 /* VkBuffer of two floats a slot, for WINDROW_LEANS_EACH_TEXEL. */

@@ -97,8 +97,9 @@ typedef struct windrow_diagnostics {
     int32_t jumps;
     /* 0 */
     uint32_t reserved;
-    /* Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and the
-       moment on them comes out low, by a third at worst. A vortex motor is the wind of a fast rotor. */
+    /* Obstacles that turned by more than a sixth of a turn in the step, or whose outermost place went farther than a cell by
+       it: their blades meet the air at few places. The moment on a blade of 4 cells and more is some 10 % off then, on a
+       thinner one up to a half. A vortex motor is the wind of a fast rotor. */
     int32_t fast_turns;
     /* 0 */
     uint32_t reserved_2;

@@ -68,7 +68,8 @@ void warn(const RunReport& report, const Console& console) {
                              " m/s and pushed no air; give the path more time, or raise air.jump_speed."));
     if (timings.fast_turns() > 0)
         console.warn(
-            message("an obstacle turned by more than a sixth of a turn in ", plural(timings.fast_turns(), "step"),
+            message("an obstacle turned by more than a sixth of a turn, or by more than a cell at its tips, in ",
+                    plural(timings.fast_turns(), "step"),
                     ", so that its blades met the air at few places; raise tick_hz, or take a vortex motor for a rotor."));
     if (timings.sealed() > 0)
         console.warn(message("walls changed the volume of air that has no opening in ", plural(timings.sealed(), "step"),

@@ -24,9 +24,17 @@ double rounded(double texels) {
 } // namespace
 
 Result<void> GroundHost::follow(glm::dvec3 point) {
-    if (!is_in_reach({point.x, point.z}))
+    if (!is_in_reach(own_place(point)))
         return Error{message("The ground is to follow ", point, ": give finite x and z within ", k_farthest, " m.")};
-    point_ = {point.x, point.z};
+    point_ = own_place(point);
+    return {};
+}
+
+Result<void> GroundHost::shift_origin(glm::dvec3 offset) {
+    const glm::dvec2 origin = origin_ + glm::dvec2(offset.x, offset.z);
+    if (!is_in_reach(origin))
+        return Error{message("The origin is to shift by ", offset, ": give finite x and z, in all within ", k_farthest, " m.")};
+    origin_ = origin;
     return {};
 }
 
@@ -52,15 +60,13 @@ glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
     const Texel corner = corner_about(point_);
     const glm::ivec2 within = glm::clamp(slot, glm::ivec2(0), glm::ivec2(config_.texels - 1));
     const glm::ivec2 texel = numerics::windrow_ground_in_slot(within, slot_of(corner), config_.texels);
-    return (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
+    return origin_ + (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
 }
 
 // In texels from the corner; empty where the sweep's bounds are outside the window.
 std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, double duration, Texel corner) const {
     const double size = config_.texel_size;
-    const auto place = [&](glm::dvec3 p) {
-        return glm::dvec2(p.x / size - static_cast<double>(corner.x), p.z / size - static_cast<double>(corner.y));
-    };
+    const auto place = [&](glm::dvec3 world) { return own_place(world) / size - glm::dvec2(corner); };
     const glm::dvec2 to = place(walker.position);
     const glm::dvec3 way(walker.position.x - walker.previous.x, 0.0, walker.position.z - walker.previous.z);
     const bool jumped = duration > 0.0 && detail::is_jump(way, duration, config_.jump_speed);
@@ -131,7 +137,7 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
 
 GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) const {
     const double size = config_.texel_size;
-    const glm::dvec2 origin(anchor.x, anchor.z), corner = glm::dvec2(place.corner) * size - origin, point = place.point - origin;
+    const glm::dvec2 origin = own_place(anchor), corner = glm::dvec2(place.corner) * size - origin, point = place.point - origin;
     const glm::ivec2 slot = slot_of(place.corner);
     GroundPlaceBlock block;
     block.corner = glm::vec4(corner.x, corner.y, size, config_.texels);

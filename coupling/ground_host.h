@@ -28,6 +28,7 @@ class WINDROW_INTERNAL GroundHost {
     }
 
     Result<void> follow(glm::dvec3 point);
+    Result<void> shift_origin(glm::dvec3 offset);
     /// [m] World place (x, z) of the texel that `slot` will hold in the next step.
     [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
 
@@ -55,12 +56,15 @@ class WINDROW_INTERNAL GroundHost {
         glm::vec2 lean{0.0f};
     };
     [[nodiscard]] static bool is_in_reach(glm::dvec2 point);
+    /// [m] From the origin that texels count from.
+    [[nodiscard]] glm::dvec2 own_place(glm::dvec3 world) const { return glm::dvec2(world.x, world.z) - origin_; }
     [[nodiscard]] Texel corner_about(glm::dvec2 point) const;
     [[nodiscard]] glm::ivec2 slot_of(Texel corner) const;
     [[nodiscard]] GroundPlaceBlock place_block(const Place& place, glm::dvec3 anchor) const;
     [[nodiscard]] std::optional<numerics::WindrowWalker> local(const GroundWalker& walker, double duration, Texel corner) const;
 
     GroundConfig config_;
+    glm::dvec2 origin_{0.0}; // [m] in the world: texels and all places below count from it, so that a shift moves none of them
     glm::dvec2 point_{0.0};
     Place now_, before_;
     bool begun_ = false;
@@ -71,10 +75,11 @@ class WINDROW_INTERNAL GroundHost {
 
 template <class Archive, class Host>
 void GroundHost::fields(Archive& archive, Host& host) {
-    archive(host.point_, host.begun_, host.left_out_);
+    archive(host.origin_, host.point_, host.begun_, host.left_out_);
     constexpr bool reads = Reading<Archive>;
     if constexpr (reads)
-        archive.require(is_in_reach(host.point_) && host.left_out_ >= 0, "the point that it follows is out of range.");
+        archive.require(is_in_reach(host.origin_) && is_in_reach(host.point_) && host.left_out_ >= 0,
+                        "the point that it follows is out of range.");
     for (auto* place : {&host.now_, &host.before_}) {
         if (!host.begun_) // they have none
             return;

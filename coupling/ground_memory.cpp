@@ -16,7 +16,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_ground_format{"WINDTRAI", detail::Layout("ground 1").with<GroundConfig>().version(), "saved ground",
+constexpr detail::Format k_ground_format{"WINDTRAI", detail::Layout("ground 2").with<GroundConfig>().version(), "saved ground",
                                          "GroundMemory::save"};
 
 } // namespace
@@ -63,6 +63,9 @@ Result<GroundMemory> GroundMemory::create(const GroundConfig& config, ParallelFo
 
 Result<void> GroundMemory::follow(glm::dvec3 point) {
     return state_->host.follow(point);
+}
+Result<void> GroundMemory::shift_origin(glm::dvec3 offset) {
+    return state_->host.shift_origin(offset);
 }
 
 Result<void> GroundMemory::advance(const GroundStep& step) {

@@ -42,6 +42,10 @@ class WINDROW_API GroundMemory {
 
     /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins again there.
     Result<void> follow(glm::dvec3 point);
+    /// The origin of the host's world has moved, as Wind::shift_origin: every place that the memory holds moves by `offset` [m] of
+    /// any length, of which x and z count. Texels keep their bits and stay under the plants. Call it between steps. Rejects what is
+    /// not finite, and shifts that add up to more than 1e12 m.
+    Result<void> shift_origin(glm::dvec3 offset);
     /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Rejects what is not finite or out of
     /// range, with nothing changed. Of more walkers than GroundConfig::max_walkers that touch the window the first ones count.
     Result<void> advance(const GroundStep& step);

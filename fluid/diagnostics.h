@@ -122,8 +122,9 @@ struct Diagnostics {
                       "Obstacles and wakes that were moved faster than jump_speed: they were there at once, without a push."},
             ReportRow{
                 "fast_turns", &Diagnostics::fast_turns, "",
-                "Obstacles that turned by more than a sixth of a turn in the step: their blades meet the air at few places, and "
-                "the moment on them comes out low, by a third at worst. A vortex motor is the wind of a fast rotor."},
+                "Obstacles that turned by more than a sixth of a turn in the step, or whose outermost place went farther than a "
+                "cell by it: their blades meet the air at few places. The moment on a blade of 4 cells and more is some 10 % off "
+                "then, on a thinner one up to a half. A vortex motor is the wind of a fast rotor."},
             ReportRow{"filling_obstacles", &Diagnostics::filling_obstacles, "",
                       "Obstacles, grounds aside, of which each fills more than half of the box, so that little wind is left: a "
                       "mistake of "

@@ -18,7 +18,18 @@ namespace {
 using detail::PlacedObstacle;
 
 constexpr double k_fast_turn = 0.999 * std::numbers::pi / 3.0; // [rad] in a tick; with rounding
-constexpr float k_margin_cells = 2.0f;                         // reads and trajectories beside the box
+
+// Whether a turn is more than steps resolve: by its angle, or since the body's outermost place passes more than a cell by it.
+bool turns_fast(const PlacedObstacle& body, double duration, float cell_size) {
+    if (body.spin == glm::vec3(0.0f))
+        return false;
+    const detail::Extent extent = detail::extent_of(body);
+    const double angle = static_cast<double>(glm::length(body.spin)) * duration;
+    const auto reach = static_cast<double>(glm::length(glm::max(glm::abs(extent.low), glm::abs(extent.high))));
+    return angle > k_fast_turn || (angle * reach > static_cast<double>(cell_size) && std::isfinite(reach) &&
+                                   !std::holds_alternative<Sphere>(body.shape));
+}
+constexpr float k_margin_cells = 2.0f; // reads and trajectories beside the box
 
 // In double, so that the longest and the shortest keep their direction.
 glm::quat normalised(const glm::quat& orientation) {
@@ -297,7 +308,7 @@ bool Obstacles::carry(double duration, float jump_speed) {
             moving_.push_back(now);
         if (motion->reaches || reached) {
             jumps_ += jumped ? 1 : 0;
-            fast_turns_ += static_cast<double>(glm::length(now.spin)) * duration > k_fast_turn ? 1 : 0;
+            fast_turns_ += turns_fast(now, duration, window_.cell_size) ? 1 : 0;
         }
         moved_ = moved_ || (motion->reaches && moves);
     }

@@ -47,7 +47,8 @@ class WINDROW_API Obstacles {
     /// The same with its orientation, of any length but 0; it turns the shorter way from each frame to the next.
     [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, glm::quat orientation);
     /// The same of a body that turns at `spin` [rad/s], about its position, along the world's axes: a wheel, a propeller. Two poses
-    /// are the same after one turn and after two. Beyond a sixth of a turn a step blades meet the air at few places (Diagnostics::fast_turns).
+    /// are the same after one turn and after two. Beyond a sixth of a turn a step, or a cell at its tips, blades meet the air at few
+    /// places (Diagnostics::fast_turns).
     [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, glm::quat orientation, glm::vec3 spin);
     /// Removes an obstacle; a stale handle is rejected.
     Result<void> remove(ObstacleId id);

@@ -17,6 +17,11 @@ namespace {
 using detail::message;
 using Bytes = std::vector<unsigned char>;
 
+// Of what the library says: the lines behind are its own stack of causes.
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
 constexpr int k_largest_side = 16384;
 constexpr std::size_t k_max_file_bytes = std::size_t{512} << 20;
 
@@ -128,7 +133,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());
     const auto input = OIIO::ImageInput::open(name, nullptr, &memory);
     if (!input)
-        return Error{message("picture ", name, " cannot be read (", OIIO::geterror(), "); draw it again")};
+        return Error{message("picture ", name, " cannot be read (", first_line(OIIO::geterror()), "); draw it again")};
     const OIIO::ImageSpec spec = input->spec();
     // Checked before anything is allocated: a header may promise what no file holds.
     if (spec.width < 1 || spec.height < 1 || spec.width > k_largest_side || spec.height > k_largest_side)
@@ -137,7 +142,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     Picture8 picture(spec.width, spec.height);
     const int channels = spec.nchannels < 3 ? 1 : 3;
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, picture.values.data(), 3))
-        return Error{message("picture ", name, " is damaged (", input->geterror(), "); draw it again")};
+        return Error{message("picture ", name, " is damaged (", first_line(input->geterror()), "); draw it again")};
     for (std::size_t grey = 0; channels == 1 && grey < picture.values.size(); grey += 3)
         picture.values[grey + 1] = picture.values[grey + 2] = picture.values[grey];
     if (words != nullptr) {
@@ -153,7 +158,7 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
     wanted.attribute("oiio:UnassociatedAlpha", 1); // else heights come multiplied by their alpha
     const auto input = OIIO::ImageInput::open(name, &wanted, &memory);
     if (!input)
-        return Error{message(name, " is no picture of heights (", OIIO::geterror(), "): give a PGM, PNG or TIFF.")};
+        return Error{message(name, " is no picture of heights (", first_line(OIIO::geterror()), "): give a PGM, PNG or TIFF.")};
     const OIIO::ImageSpec spec = input->spec();
     const std::string_view format = input->format_name();
     if ((format != "png" && format != "tiff") || spec.deep || spec.depth > 1 || spec.nchannels < 1)
@@ -189,7 +194,7 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
                 }
             }
         if (!whole)
-            return Error{message(name, " is damaged (", input->geterror(), "): give a whole file.")};
+            return Error{message(name, " is damaged (", first_line(input->geterror()), "): give a whole file.")};
         // As floats, whole numbers are a part of the largest; those with a sign are metres.
         const auto base = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
         picture.metres = base != OIIO::TypeDesc::UINT8 && base != OIIO::TypeDesc::UINT16 && base != OIIO::TypeDesc::UINT32;
@@ -201,6 +206,9 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
         if (largest != 1.0)
             for (float& height : heights)
                 height = static_cast<float>(std::round(largest * static_cast<double>(height)));
+        if (picture.unit != 1.0) // the library rounds by the reciprocal
+            for (float& height : heights)
+                height = static_cast<float>(std::round(picture.unit * static_cast<double>(height)) / picture.unit);
         return picture;
     });
 }

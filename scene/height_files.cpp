@@ -107,7 +107,8 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
                                       "xllcenter", "yllcenter", "cellsize",  "nodata_value"};
     const Error no_grid{name + " is no ESRI ASCII grid: its first lines are ncols, nrows, xllcorner, yllcorner, cellsize and "
                                "NODATA_value, a number each."};
-    Words words(bytes);
+    constexpr std::string_view k_mark = "\xef\xbb\xbf"; // byte order mark
+    Words words(bytes.starts_with(k_mark) ? bytes.substr(k_mark.size()) : bytes);
     double columns = 0.0, rows = 0.0, cell = 0.0;
     std::optional<double> nodata, first;
     for (std::string_view word = words.next(); !first; word = words.next()) {
@@ -119,6 +120,8 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
         const bool known =
             std::any_of(std::begin(k_keys), std::end(k_keys), [&](const char* key) { return same_word(word, key); });
         const auto value = known ? words.number() : std::nullopt;
+        if (!value && !known && columns > 0.0 && rows > 0.0 && cell > 0.0)
+            return Error{message(name, ": row 1, column 1 is \"", word, "\": give a height.")};
         if (!value)
             return no_grid;
         if (same_word(word, "ncols"))
@@ -142,11 +145,13 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
     if (count / 2 > bytes.size()) // a digit and a blank each
         return Error{message(name, " ends early: give ", count, " heights.")};
     heights.data.heights.reserve(count);
-    for (auto height = first; height && heights.data.heights.size() < count; height = words.number())
+    for (auto height = first; height; height = heights.data.heights.size() < count ? words.number() : std::nullopt)
         heights.data.heights.push_back(static_cast<float>(*height));
     if (heights.data.heights.size() != count)
         return Error{message(name, " has ", heights.data.heights.size(), " heights of ", count, ": the next one at ",
                              place_of(heights.data.heights.size(), heights.data.corners.x), " is missing or no number.")};
+    if (!words.next().empty())
+        return Error{message(name, " goes on after its ", count, " heights: give ncols times nrows of them.")};
     return heights;
 }
 

@@ -5,6 +5,7 @@
 #include "c_api/source/handles.h"
 #include "fluid/allocator.h"
 #include "fluid/core/message.h"
+#include "fluid/saved_parts.h"
 
 #include <cstring>
 #include <string>
@@ -138,4 +139,35 @@ WINDROW_EXPORT uint64_t windrow_bytes_size(const windrow_bytes* bytes) {
 }
 WINDROW_EXPORT void windrow_bytes_destroy(windrow_bytes* bytes) {
     delete bytes;
+}
+
+WINDROW_EXPORT windrow_result windrow_parts_join(const windrow_saved_part* parts, uint64_t count, windrow_bytes** file) {
+    return create(file, [&]() -> Result<std::vector<std::byte>> {
+        if (count > k_max_parts)
+            return Error{detail::message("there are ", count, " parts: give at most ", k_max_parts, ".")};
+        std::vector<SavedPart> all;
+        for (uint64_t n = 0; n < count; ++n) {
+            if (parts == nullptr || parts[n].name == nullptr || (parts[n].bytes == nullptr && parts[n].size > 0))
+                return Error{detail::message("part ", n, " is null, or its name or its bytes are: give both.")};
+            all.push_back(
+                {parts[n].name, {static_cast<const std::byte*>(parts[n].bytes), static_cast<std::size_t>(parts[n].size)}});
+        }
+        return join_parts(all);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_parts_find(const void* bytes, uint64_t size, const char* name, const void** part,
+                                                 uint64_t* part_size) {
+    return call({{bytes, "bytes"}, {name, "name"}, {part, "part"}, {part_size, "part_size"}}, [&]() -> windrow_result {
+        *part = nullptr;
+        *part_size = 0;
+        const auto parts = split_parts({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
+        if (!parts)
+            return done(parts);
+        const auto found = find_part(*parts, name);
+        if (found) {
+            *part = found->data();
+            *part_size = found->size();
+        }
+        return done(found);
+    });
 }

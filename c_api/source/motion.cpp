@@ -260,6 +260,9 @@ WINDROW_EXPORT windrow_result windrow_ground_load(const void* bytes, uint64_t si
 WINDROW_EXPORT windrow_result windrow_ground_follow(windrow_ground* ground, windrow_dvec3 point) {
     return call({{ground, "ground"}}, [&] { return ground->ground.follow(to_cpp(point)); });
 }
+WINDROW_EXPORT windrow_result windrow_ground_shift_origin(windrow_ground* ground, windrow_dvec3 offset) {
+    return call({{ground, "ground"}}, [&] { return ground->ground.shift_origin(to_cpp(offset)); });
+}
 WINDROW_EXPORT windrow_result windrow_ground_advance(windrow_ground* ground, const windrow_ground_step* step,
                                                      const windrow_vec2* wind_leans, uint64_t count) {
     return call({{ground, "ground"}, {step, "step"}}, [&] {

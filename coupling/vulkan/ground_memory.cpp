@@ -170,6 +170,9 @@ void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
 Result<void> GroundMemory::follow(glm::dvec3 point) {
     return state_->host.follow(point);
 }
+Result<void> GroundMemory::shift_origin(glm::dvec3 offset) {
+    return state_->host.shift_origin(offset);
+}
 
 Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans) {
     State& state = *state_;

@@ -35,6 +35,8 @@ class WINDROW_API GroundMemory {
 
     /// As windrow::GroundMemory::follow.
     Result<void> follow(glm::dvec3 point);
+    /// As windrow::GroundMemory::shift_origin. The textures stay; `block` and `next_place` are of the shifted world.
+    Result<void> shift_origin(glm::dvec3 offset);
     /// Records a step outside of a render pass: one dispatch, a copy of some hundred bytes, barriers. Rejects what
     /// windrow::GroundMemory::advance rejects; nothing is recorded then. What is recorded must be submitted: the next step goes
     /// on from it.

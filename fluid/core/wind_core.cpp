@@ -12,7 +12,6 @@
 namespace windrow {
 namespace {
 
-constexpr double k_farthest_cells = 1e12;
 constexpr float k_max_wind = 1e4f;
 constexpr const char* k_axis_names[3] = {"x", "y", "z"};
 

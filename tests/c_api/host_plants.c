@@ -216,6 +216,33 @@ static void check_cascade(void) {
     windrow_cascade_destroy(tail);
 }
 
+/* Two states in one file, and back. */
+static void check_parts(const windrow_bytes* saved) {
+    windrow_saved_part parts[2];
+    windrow_bytes* file = NULL;
+    const void* found = NULL;
+    uint64_t size = 0;
+    parts[0].name = "ground";
+    parts[0].bytes = windrow_bytes_data(saved);
+    parts[0].size = windrow_bytes_size(saved);
+    parts[1].name = "my own";
+    parts[1].bytes = "seven";
+    parts[1].size = 5;
+    CHECK_OK(windrow_parts_join(parts, 2, &file));
+    CHECK_OK(windrow_parts_find(windrow_bytes_data(file), windrow_bytes_size(file), "my own", &found, &size));
+    CHECK(size == 5 && memcmp(found, "seven", 5) == 0);
+    CHECK_OK(windrow_parts_find(windrow_bytes_data(file), windrow_bytes_size(file), "ground", &found, &size));
+    CHECK(size == parts[0].size && memcmp(found, parts[0].bytes, (size_t)size) == 0);
+    CHECK_FAILS(windrow_parts_find(windrow_bytes_data(file), windrow_bytes_size(file), "smoke", &found, &size), WINDROW_REJECTED,
+                "smoke");
+    CHECK(found == NULL && size == 0);
+    windrow_bytes_destroy(file);
+    parts[1].name = "ground";
+    CHECK_FAILS(windrow_parts_join(parts, 2, &file), WINDROW_REJECTED, "ground");
+    parts[1].name = NULL;
+    CHECK_FAILS(windrow_parts_join(parts, 2, &file), WINDROW_REJECTED, "name");
+}
+
 static void check_ground(void) {
     windrow_ground_config config;
     windrow_ground *ground = NULL, *again = NULL;
@@ -254,6 +281,12 @@ static void check_ground(void) {
     CHECK_OK(windrow_ground_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), NULL, &again));
     CHECK(memcmp(windrow_ground_texels(ground, NULL), windrow_ground_texels(again, NULL), count * sizeof(windrow_vec4)) == 0);
     windrow_ground_destroy(again);
+    CHECK_OK(windrow_ground_shift_origin(ground, dvec3(1000.3, 0.0, -7.0)));
+    CHECK_OK(windrow_ground_previous_at(ground, dvec3(1000.8, 0.0, -6.5), &away));
+    CHECK(memcmp(&away, &before, sizeof before) == 0);
+    CHECK_OK(windrow_ground_shift_origin(ground, dvec3(-1000.3, 0.0, 7.0)));
+    CHECK_FAILS(windrow_ground_shift_origin(ground, dvec3(1e300, 0.0, 0.0)), WINDROW_REJECTED, "1e+300");
+    check_parts(bytes);
     CHECK_FAILS(windrow_cascade_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), &tail), WINDROW_REJECTED, "cascade");
     windrow_bytes_destroy(bytes);
     CHECK_FAILS(windrow_ground_advance(ground, &step, leans, 5), WINDROW_REJECTED, "5");

@@ -78,6 +78,8 @@ std::uint64_t entries_of(const windrow_skin* skin) {
     return skin != nullptr ? skin->count : 0;
 }
 
+#include "calls.inc"
+
 // --- Structs whose pointers have a measure of their own
 
 void fill(World& world, windrow_parallel_for& loop) {
@@ -172,6 +174,11 @@ void fill(World& world, windrow_vdb_grid& grid) {
     grid.vectors = world.array<windrow_vdb_vector>(grid.vector_count);
 }
 
+void fill(World& world, windrow_saved_part& part) {
+    part.name = world.text();
+    part.bytes = world.bytes(part.size);
+}
+
 void fill(World& world, windrow_motor_id& id) {
     world.any_id(id, world.motors());
 }
@@ -179,8 +186,6 @@ void fill(World& world, windrow_motor_id& id) {
 void fill(World& world, windrow_obstacle_id& id) {
     world.any_id(id, world.obstacles());
 }
-
-#include "calls.inc"
 
 // --- World
 

@@ -37,6 +37,11 @@ class GroundDevice : public Gpu {
         ASSERT_TRUE(pair.gpu.follow(point));
     }
 
+    void shift_origin(TwoGrounds& pair, glm::dvec3 offset) {
+        ASSERT_TRUE(pair.cpu.shift_origin(offset));
+        ASSERT_TRUE(pair.gpu.shift_origin(offset));
+    }
+
     void advance(TwoGrounds& pair, const GroundStep& step) {
         ASSERT_TRUE(pair.cpu.advance(step));
         run([&](VkCommandBuffer commands) {
@@ -107,6 +112,15 @@ class GroundDevice : public Gpu {
                 walker.foot_height = static_cast<float>(std::max(0.0, unit(random)));
                 if (unit(random) > 0.95)
                     walker.position = walker.previous = origin + 10.0 * glm::dvec3(unit(random), 0.0, unit(random));
+            }
+            if (frame % 40 == 30) { // the world's origin moves, by no whole number of texels
+                const glm::dvec3 offset(-700.3, 0.0, 31.7);
+                shift_origin(pair, offset);
+                origin += offset;
+                for (GroundWalker& walker : walkers) {
+                    walker.position += offset;
+                    walker.previous += offset;
+                }
             }
             follow(pair, frame == 60 ? origin + glm::dvec3(1000.0) : walkers[0].position);
             advance(pair, {.duration = 1.0 / 60.0, .walkers = walkers, .wind_lean = {0.4 * unit(random), 0.4 * unit(random)}});

@@ -33,6 +33,46 @@ GroundWalker standing(glm::dvec3 place, float radius, float feet = 0.0f) {
     return {.position = place, .previous = place, .foot_height = feet, .previous_foot_height = feet, .radius = radius};
 }
 
+// --- The world's origin moves
+// ----------------------------------------------------------------------------------------------------------------------------
+
+// Places beyond 1e8 m are exact to 1e-8 m alone, so that the window's own digits show whether it went on counting from them.
+TEST(Ground, AShiftOfTheOriginMovesNoTexel) {
+    for (const glm::dvec3 offset :
+         {glm::dvec3(-4096.0, 3.0, 512.0), glm::dvec3(1000.125, 0.0, -7.0625), glm::dvec3(1e8, 0.0, 1e8)}) {
+        GroundMemory ground = ground_of({.texels = 32}), shifted = ground_of({.texels = 32});
+        glm::dvec3 place(0.0);
+        for (int frame = 0; frame < 90; ++frame) {
+            const glm::dvec3 before = place, by = frame >= 30 ? offset : glm::dvec3(0.0);
+            if (frame == 30) {
+                ASSERT_TRUE(shifted.shift_origin(offset));
+            }
+            place += glm::dvec3(0.125, 0.0, 0.0625);
+            GroundWalker walker{.position = place, .previous = before, .radius = 0.5f};
+            ASSERT_TRUE(ground.follow(place));
+            ASSERT_TRUE(shifted.follow(place + by));
+            advance(ground, 1.0 / 60.0, std::span(&walker, 1), {0.2f, 0.1f});
+            walker.position += by;
+            walker.previous += by;
+            advance(shifted, 1.0 / 60.0, std::span(&walker, 1), {0.2f, 0.1f});
+            ASSERT_TRUE(std::ranges::equal(ground.texels(), shifted.texels())) << frame;
+            for (const glm::dvec3 at : {place, before, place + glm::dvec3(1.5, 0.0, -0.75)}) {
+                ASSERT_EQ(ground.at(at).lean, shifted.at(at + by).lean) << frame;
+                ASSERT_EQ(ground.previous_at(at).trail, shifted.previous_at(at + by).trail) << frame;
+            }
+            ASSERT_LT(glm::distance(ground.next_centre({3, 7}) + glm::dvec2(by.x, by.z), shifted.next_centre({3, 7})), 1e-7);
+        }
+        EXPECT_GT(ground.at(place).trample, 0.5f) << "there is something to lose";
+        EXPECT_FALSE(shifted.shift_origin(glm::dvec3(std::numeric_limits<double>::quiet_NaN())));
+        EXPECT_FALSE(shifted.shift_origin({0.0, 0.0, 1e13}));
+        const auto bytes = shifted.save();
+        ASSERT_TRUE(bytes);
+        const auto loaded = GroundMemory::load(*bytes);
+        ASSERT_TRUE(loaded) << loaded.error();
+        EXPECT_EQ(loaded->at(place + offset).lean, shifted.at(place + offset).lean);
+    }
+}
+
 // --- A walker pushes outward
 // -----------------------------------------------------------------------------------------------------
 

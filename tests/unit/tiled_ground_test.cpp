@@ -371,9 +371,10 @@ TEST(TiledGround, AWindOverTilesIsThatOverTheMap) {
         one.step(1.0 / 30.0);
         four.step(1.0 / 30.0);
     }
-    const double apart = largest_apart(one.field(), four.field());
+    // Heights of 10 m are rounded to 1e-6 m, so normals over .2 m to 5e-6; the lee lets that grow fivefold in two seconds.
+    const double apart = largest_apart(one.field(), four.field()) / glm::length(glm::dvec2(6.0, 1.5));
     figure("tiled_ground/wind_off_one_map", apart);
-    EXPECT_LE(apart, 1e-4);
+    EXPECT_LE(apart, test::whole_sweeps() ? 1e-4 : 1.6e-5);
     // Where plants stand: beside the surface, across the seams.
     for (double x = 12.0; x < 20.0; x += 0.37) {
         const glm::dvec3 place(x, height(x, x - 2.0) + 0.1, x - 2.0);

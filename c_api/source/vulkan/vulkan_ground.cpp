@@ -37,6 +37,9 @@ WINDROW_EXPORT void windrow_vulkan_ground_destroy(windrow_vulkan_ground* ground)
 WINDROW_EXPORT windrow_result windrow_vulkan_ground_follow(windrow_vulkan_ground* ground, windrow_dvec3 point) {
     return call({{ground, "ground"}}, [&] { return ground->ground.follow(to_cpp(point)); });
 }
+WINDROW_EXPORT windrow_result windrow_vulkan_ground_shift_origin(windrow_vulkan_ground* ground, windrow_dvec3 offset) {
+    return call({{ground, "ground"}}, [&] { return ground->ground.shift_origin(to_cpp(offset)); });
+}
 WINDROW_EXPORT windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground* ground, void* commands,
                                                            const windrow_ground_step* step, windrow_wind_leans leans) {
     return call({{ground, "ground"}, {commands, "commands"}, {step, "step"}}, [&] {

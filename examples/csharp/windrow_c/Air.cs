@@ -90,6 +90,13 @@ namespace Windrow
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    public partial struct SavedPart
+    {
+        public IntPtr Name, Bytes;
+        public ulong Size;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public partial struct Boundary
     {
         public BoundaryKind Kind;

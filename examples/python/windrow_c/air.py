@@ -67,6 +67,10 @@ class ParallelFor(c.Structure):
     _fields_ = [("run", Run), ("context", c.c_void_p)]
 
 
+class SavedPart(c.Structure):
+    _fields_ = [("name", c.c_char_p), ("bytes", c.c_void_p), ("size", c.c_uint64)]
+
+
 class Boundary(c.Structure):
     _fields_ = [("kind", c.c_int32), ("wall_velocity", Vec3)]
 
@@ -259,6 +263,8 @@ AIR = [
     ("windrow_bytes_data", P(c.c_uint8), c.c_void_p),
     ("windrow_bytes_size", c.c_uint64, c.c_void_p),
     ("windrow_bytes_destroy", None, c.c_void_p),
+    ("windrow_parts_join", c.c_int32, P(SavedPart), c.c_uint64, P(c.c_void_p)),
+    ("windrow_parts_find", c.c_int32, c.c_void_p, c.c_uint64, c.c_char_p, P(c.c_void_p), P(c.c_uint64)),
     ("windrow_boundaries_all", Boundaries, c.c_int32),
     ("windrow_boundaries_open_over_floor", Boundaries),
     ("windrow_log_profile_init", c.c_int32, P(LogProfile), c.c_uint32),

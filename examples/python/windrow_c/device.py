@@ -197,6 +197,7 @@ DEVICE = [
     ("windrow_vulkan_ground_create", c.c_int32, P(VulkanHost), P(GroundConfig), c.c_int32, P(c.c_void_p)),
     ("windrow_vulkan_ground_destroy", None, c.c_void_p),
     ("windrow_vulkan_ground_follow", c.c_int32, c.c_void_p, DVec3),
+    ("windrow_vulkan_ground_shift_origin", c.c_int32, c.c_void_p, DVec3),
     ("windrow_vulkan_ground_record", c.c_int32, c.c_void_p, c.c_void_p, P(GroundStep), c.c_int32),
     ("windrow_vulkan_ground_lean_buffer", c.c_uint64, c.c_void_p),
     ("windrow_vulkan_ground_walkers_left_out", c.c_int32, c.c_void_p),

@@ -182,6 +182,7 @@ PLANTS = [
     ("windrow_ground_save", c.c_int32, c.c_void_p, P(c.c_void_p)),
     ("windrow_ground_load", c.c_int32, c.c_void_p, c.c_uint64, P(ParallelFor), P(c.c_void_p)),
     ("windrow_ground_follow", c.c_int32, c.c_void_p, DVec3),
+    ("windrow_ground_shift_origin", c.c_int32, c.c_void_p, DVec3),
     ("windrow_ground_advance", c.c_int32, c.c_void_p, P(GroundStep), P(Vec2), c.c_uint64),
     ("windrow_ground_walkers_left_out", c.c_int32, c.c_void_p),
     ("windrow_ground_next_centre", DVec2, c.c_void_p, IVec2),

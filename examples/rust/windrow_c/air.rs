@@ -102,6 +102,12 @@ pub struct ParallelFor {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
+pub struct SavedPart {
+    pub name: *const c_char, pub bytes: *const c_void, pub size: u64,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
 pub struct Boundary {
     pub kind: BoundaryKind, pub wall_velocity: Vec3,
 }
@@ -323,10 +329,11 @@ const _: () = {
     assert!(size_of::<Vec2>() == 8); assert!(size_of::<Vec3>() == 12); assert!(size_of::<Vec4>() == 16);
     assert!(size_of::<Quat>() == 16); assert!(size_of::<DVec2>() == 16); assert!(size_of::<DVec3>() == 24);
     assert!(size_of::<DVec4>() == 32); assert!(size_of::<IVec2>() == 8); assert!(size_of::<IVec3>() == 12);
-    assert!(size_of::<UVec2>() == 8); assert!(size_of::<ParallelFor>() == 16); assert!(size_of::<Boundary>() == 16);
-    assert!(size_of::<Boundaries>() == 96); assert!(size_of::<LogProfile>() == 12); assert!(size_of::<Gusts>() == 24);
-    assert!(size_of::<Canopy>() == 12); assert!(size_of::<RoughnessMap>() == 56); assert!(size_of::<Roughness>() == 24);
-    assert!(size_of::<Rows>() == 32); assert!(size_of::<Config>() == 288); assert!(size_of::<Sampling>() == 20);
+    assert!(size_of::<UVec2>() == 8); assert!(size_of::<ParallelFor>() == 16); assert!(size_of::<SavedPart>() == 24);
+    assert!(size_of::<Boundary>() == 16); assert!(size_of::<Boundaries>() == 96);
+    assert!(size_of::<LogProfile>() == 12); assert!(size_of::<Gusts>() == 24); assert!(size_of::<Canopy>() == 12);
+    assert!(size_of::<RoughnessMap>() == 56); assert!(size_of::<Roughness>() == 24); assert!(size_of::<Rows>() == 32);
+    assert!(size_of::<Config>() == 288); assert!(size_of::<Sampling>() == 20);
     assert!(size_of::<AmbientSettings>() == 40); assert!(size_of::<UniformGust>() == 32);
     assert!(size_of::<WindowBlock>() == 144); assert!(size_of::<AxisBlock>() == 32);
     assert!(size_of::<PlaceBlock>() == 96); assert!(size_of::<AmbientBlock>() == 112);
@@ -356,6 +363,10 @@ extern "C" {
     pub fn windrow_bytes_data(bytes: *const c_void) -> *const u8;
     pub fn windrow_bytes_size(bytes: *const c_void) -> u64;
     pub fn windrow_bytes_destroy(bytes: *mut c_void);
+    pub fn windrow_parts_join(parts: *const SavedPart, count: u64, file: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_parts_find(
+        bytes: *const c_void, size: u64, name: *const c_char, part: *mut *const c_void, part_size: *mut u64
+    ) -> ResultCode;
     pub fn windrow_boundaries_all(kind: BoundaryKind) -> Boundaries;
     pub fn windrow_boundaries_open_over_floor() -> Boundaries;
     pub fn windrow_log_profile_init(profile: *mut LogProfile, struct_size: u32) -> ResultCode;

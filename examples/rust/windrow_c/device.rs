@@ -271,6 +271,7 @@ extern "C" {
     ) -> ResultCode;
     pub fn windrow_vulkan_ground_destroy(ground: *mut c_void);
     pub fn windrow_vulkan_ground_follow(ground: *mut c_void, point: DVec3) -> ResultCode;
+    pub fn windrow_vulkan_ground_shift_origin(ground: *mut c_void, offset: DVec3) -> ResultCode;
     pub fn windrow_vulkan_ground_record(
         ground: *mut c_void, commands: *mut c_void, step: *const GroundStep, leans: WindLeans
     ) -> ResultCode;

@@ -275,6 +275,7 @@ extern "C" {
         bytes: *const c_void, size: u64, parallel_for: *const ParallelFor, ground: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_ground_follow(ground: *mut c_void, point: DVec3) -> ResultCode;
+    pub fn windrow_ground_shift_origin(ground: *mut c_void, offset: DVec3) -> ResultCode;
     pub fn windrow_ground_advance(
         ground: *mut c_void, step: *const GroundStep, wind_leans: *const Vec2, count: u64
     ) -> ResultCode;
