@@ -276,6 +276,18 @@ inline std::vector<Scenario> scenarios(bool whole) {
     };
     driven.steps = 12;
     rows.push_back(std::move(driven));
+    // What a body leaves between two sub-steps of the very first tick has a past, that of the first sub-step.
+    rows.push_back({.name = "ball_moves_in_sub_steps_at_once",
+                    .config = [](Config& c) { c.max_cfl = 0.2f; },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add({.position = {-4.0, 0.1, 0.2}, .shape = Sphere{2.4f}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.obstacles().move(obstacle_id(), {-4.0 + 0.4 * (n + 1), 0.1, 0.2}));
+                        },
+                    .steps = 8});
     // Sealed air: a piston that fills a tube, and a closed box in which bodies move.
     rows.push_back({.name = "piston",
                     .begin =

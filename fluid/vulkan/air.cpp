@@ -451,8 +451,8 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         const auto passes = static_cast<std::uint32_t>(stages.size());
         substep(commands, stages, n,
                 chosen && n > 0 ? std::optional((static_cast<std::uint32_t>(n) - 1) * passes) : std::nullopt);
+        fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0; // the next sub-step has a past
     }
-    fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0;
 }
 
 void Air::substep(VkCommandBuffer commands, std::span<const Passes::Stage> stages, int number,
