@@ -18,6 +18,7 @@ namespace {
 using detail::PlacedObstacle;
 
 constexpr double k_fast_turn = 0.999 * std::numbers::pi / 3.0; // [rad] in a tick; with rounding
+constexpr float k_margin_cells = 2.0f;                         // reads and trajectories beside the box
 
 // Whether a turn is more than steps resolve: by its angle, or since the body's outermost place passes more than a cell by it.
 bool turns_fast(const PlacedObstacle& body, double duration, float cell_size) {
@@ -29,7 +30,6 @@ bool turns_fast(const PlacedObstacle& body, double duration, float cell_size) {
     return angle > k_fast_turn || (angle * reach > static_cast<double>(cell_size) && std::isfinite(reach) &&
                                    !std::holds_alternative<Sphere>(body.shape));
 }
-constexpr float k_margin_cells = 2.0f; // reads and trajectories beside the box
 
 // In double, so that the longest and the shortest keep their direction.
 glm::quat normalised(const glm::quat& orientation) {

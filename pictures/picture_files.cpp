@@ -198,17 +198,16 @@ Result<HeightPicture> read_heights(std::string_view bytes, const std::string& na
         // As floats, whole numbers are a part of the largest; those with a sign are metres.
         const auto base = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
         picture.metres = base != OIIO::TypeDesc::UINT8 && base != OIIO::TypeDesc::UINT16 && base != OIIO::TypeDesc::UINT32;
-        picture.unit = base == OIIO::TypeDesc::UINT8 ? 255.0 : base == OIIO::TypeDesc::UINT16 ? 65535.0 : 1.0;
-        const double largest = base == OIIO::TypeDesc::INT8    ? 127.0
-                               : base == OIIO::TypeDesc::INT16 ? 32767.0
-                               : base == OIIO::TypeDesc::INT32 ? 2147483647.0
-                                                               : 1.0;
-        if (largest != 1.0)
+        const double largest = base == OIIO::TypeDesc::UINT8    ? 255.0
+                               : base == OIIO::TypeDesc::UINT16 ? 65535.0
+                               : base == OIIO::TypeDesc::INT8   ? 127.0
+                               : base == OIIO::TypeDesc::INT16  ? 32767.0
+                               : base == OIIO::TypeDesc::INT32  ? 2147483647.0
+                                                                : 1.0;
+        picture.unit = picture.metres ? 1.0 : largest;
+        if (largest != 1.0) // the library multiplies by a rounded reciprocal
             for (float& height : heights)
-                height = static_cast<float>(std::round(largest * static_cast<double>(height)));
-        if (picture.unit != 1.0) // the library rounds by the reciprocal
-            for (float& height : heights)
-                height = static_cast<float>(std::round(picture.unit * static_cast<double>(height)) / picture.unit);
+                height = static_cast<float>(std::round(largest * static_cast<double>(height)) / picture.unit);
         return picture;
     });
 }

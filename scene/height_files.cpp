@@ -2,6 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "fluid/files/pgm.h"
+#include "fluid/files/text_lines.h"
 
 #include <algorithm>
 #include <bit>
@@ -107,8 +108,7 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
                                       "xllcenter", "yllcenter", "cellsize",  "nodata_value"};
     const Error no_grid{name + " is no ESRI ASCII grid: its first lines are ncols, nrows, xllcorner, yllcorner, cellsize and "
                                "NODATA_value, a number each."};
-    constexpr std::string_view k_mark = "\xef\xbb\xbf"; // byte order mark
-    Words words(bytes.starts_with(k_mark) ? bytes.substr(k_mark.size()) : bytes);
+    Words words(detail::without_mark(bytes));
     double columns = 0.0, rows = 0.0, cell = 0.0;
     std::optional<double> nodata, first;
     for (std::string_view word = words.next(); !first; word = words.next()) {

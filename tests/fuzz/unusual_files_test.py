@@ -124,7 +124,7 @@ def pgms():
     yield "empty", b"", ""
 
 
-def png(kind=0, bits=8, rows=None, wide=WIDE, high=HIGH, before=b"", damage=None, junk=b""):
+def png(kind=0, bits=8, rows=None, wide=WIDE, high=HIGH, before=lambda part: b"", damage=None, junk=b""):
     if rows is None:
         rows = [bytes(row) for row in LEVELS]
     def part(name, content):
@@ -135,8 +135,7 @@ def png(kind=0, bits=8, rows=None, wide=WIDE, high=HIGH, before=b"", damage=None
         image = image[:-1] + bytes([image[-1] ^ 1])
     if damage == "stream":
         image = part(b"IDAT", b"\x78\x9c" + bytes(50))
-    return b"\x89PNG\r\n\x1a\n" + head + before(part) + image + part(b"IEND", b"") + junk if callable(before) else \
-        b"\x89PNG\r\n\x1a\n" + head + image + part(b"IEND", b"") + junk
+    return b"\x89PNG\r\n\x1a\n" + head + before(part) + image + part(b"IEND", b"") + junk
 
 
 def pngs():
@@ -223,7 +222,7 @@ def grids():
     yield "centres", (head.replace("corner", "center") + lines).encode(), None
     yield "no_data_unused", (head + "NODATA_value -9999\n" + lines).encode(), None
     yield "in_one_line", (head + lines.replace("\n", " ")).encode(), None
-    yield "points", (head + lines.replace(" 1", " 1.0e0 1").replace("1.0e0 1", "1")).encode(), None
+    yield "points", (head + lines.replace(" ", ".0 ").replace("\n", "e0\n")).encode(), None
     yield "byte_order_mark", b"\xef\xbb\xbf" + (head + lines).encode(), None
     yield "no_data_filled", (head + "NODATA_value -9999\n" + lines.replace("40", "-9999", 1)).encode(), "other"
     yield "cells_of_2_m", (head.replace("cellsize 1", "cellsize 2") + lines).encode(), None
