@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 namespace windrow {
 namespace detail {
@@ -123,30 +124,44 @@ float least_thickness(const VoxelShape& shape) {
     return shape.cell_size * static_cast<float>(shape.grid->thickness());
 }
 
-bool crosses(const auto& shape, glm::vec3 from, glm::vec3 to) {
-    constexpr int k_most_steps = 64;
-    const float length = glm::distance(from, to), near = 1e-4f * length;
-    float way = 0.0f;
-    for (int n = 0; n < k_most_steps && way < length; ++n) {
-        const float free = distance(shape, from + way / length * (to - from), length);
-        if (free <= near)
+// Bodies without hollows: the distance from one is a convex function of the way, so its least is where one narrows it down to, by the
+// golden section. A search that follows the distance ends too early along a surface.
+bool crosses(const auto& convex, glm::vec3 from, glm::vec3 to) {
+    constexpr float k_section = 0.618034f;
+    const float length = glm::distance(from, to), near = k_touches * length;
+    const auto at = [&](float way) { return distance(convex, glm::mix(from, to, way / length), length); };
+    float low = 0.0f, high = length, first = high - k_section * length, second = low + k_section * length;
+    float by_first = at(first), by_second = at(second);
+    while (true) {
+        const float least = std::min(by_first, by_second);
+        if (least <= near)
             return true;
-        way += free;
+        if (least - (1.0f - k_section) * (high - low) > near || high - low < near)
+            return false; // no place between is so much nearer
+        if (by_first < by_second) {
+            high = std::exchange(second, first);
+            by_second = std::exchange(by_first, at(first = high - k_section * (high - low)));
+        } else {
+            low = std::exchange(first, second);
+            by_first = std::exchange(by_second, at(second = low + k_section * (high - low)));
+        }
     }
-    return way < length;
 }
-// A point on the plane counts as above it, so that each path between its sides has one crossing at least.
+// A point on the plane counts as above it, so that each path between its sides has one crossing at least; of two edges that lines go
+// through one holds them, so that a plate closes as many faces as it covers. What only rounding parts is on them: a plate that is
+// turned by a right angle is tilted by a rounding.
 bool crosses(const Plate& plate, glm::vec3 from, glm::vec3 to) {
-    if ((from.z < 0.0f) == (to.z < 0.0f))
+    const float near = k_touches * glm::distance(from, to);
+    if ((from.z < -near) == (to.z < -near))
         return false;
-    const glm::vec3 at = from + from.z / (from.z - to.z) * (to - from);
-    return std::abs(at.x) <= plate.half_size.x && std::abs(at.y) <= plate.half_size.y;
+    const glm::vec2 at(glm::mix(from, to, from.z / (from.z - to.z))), size = plate.half_size;
+    return glm::all(glm::greaterThanEqual(at, -size - near)) && glm::all(glm::lessThan(at, size - near));
 }
 bool crosses(const MeshShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.mesh->crosses(from / shape.scale, to / shape.scale);
 }
 bool crosses(const Ground& ground, glm::vec3 from, glm::vec3 to) {
-    return least_rise(ground, from, to) <= k_touches_ground * glm::distance(from, to);
+    return least_rise(ground, from, to) <= k_touches * glm::distance(from, to);
 }
 bool crosses(const VoxelShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.grid->crosses(in_grid(shape, from), in_grid(shape, to));

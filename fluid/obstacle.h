@@ -215,8 +215,8 @@ struct Extent {
 /// [m] Least height over the ground along the line between two points in its own axes, below 0 where the line is under it; infinite
 /// where no part of the line is over it. Exact: within a texel the height over a bilinear surface is a quadratic of the way.
 [[nodiscard]] WINDROW_API float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to);
-/// A line whose least rise is at most this fraction of its length touches the ground.
-inline constexpr float k_touches_ground = 1e-4f;
+/// A line that comes as near as this fraction of its length to a surface touches it.
+inline constexpr float k_touches = 1e-4f;
 /// [m] Lowest and highest of the ground within a distance of a point, or of more; where it ends, the lowest is that of its depth.
 [[nodiscard]] WINDROW_API glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance);
 /// Places obstacles as they are `early` [s] before the end of the step.

@@ -192,10 +192,10 @@ bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 ce
     ++next[axis];
     const bool flat = std::holds_alternative<Plate>(view.body.shape), ground = std::holds_alternative<Ground>(view.body.shape);
     const float away = depth_at(view, reach, cell);
-    if (!flat && depth_at(view, reach, next) <= 0.0f)
+    if (!flat && holds(depth_at(view, reach, next)))
         return false;
     if (const Column* const column = column_of(reach, cell)) // no vertical line meets it between air and air
-        return axis != 1 && rise_over(view, *column, cell, away) - column->crest[axis] <= detail::k_touches_ground;
+        return axis != 1 && rise_over(view, *column, cell, away) - column->crest[axis] <= detail::k_touches;
     return (ground || away < view.coarsest + k_touch) &&
            detail::blocks(view.body.shape, view.own_place(glm::vec3(cell) + 0.5f), view.own_place(glm::vec3(next) + 0.5f));
 }
@@ -234,7 +234,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
         const TiledGround::Owner owner = owner_of(reach, cell);
         if (owner == TiledGround::Owner::other)
             return;
-        const bool in = !flat && away <= 0.0f;
+        const bool in = !flat && holds(away);
         const bool near = may_touch(view, reach, cell, away, k_beside);
         if (in)
             draw_inside(view, reach, cell, away, near && may_touch(view, reach, cell, away, 1.5f));
@@ -255,7 +255,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
                 const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
                 closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
             }
-            if (closed < 1.0f && tight && (in || depth_at(view, reach, cell + glm::ivec3(step)) <= 0.0f))
+            if (closed < 1.0f && tight && (in || holds(depth_at(view, reach, cell + glm::ivec3(step)))))
                 closed = 1.0f;
             if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
                 closed = 1.0f;
@@ -298,9 +298,9 @@ void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, 
         step[static_cast<int>(direction / 2)] = direction % 2 == 0 ? -1 : 1;
         const glm::vec3 out(step);
         const float next = depth_at(view, reach, cell + step);
-        if (!(next > 0.0f))
+        if (holds(next))
             continue;
-        const glm::vec3 crossing = view.from_middle(centre, -away / (next - away) * out);
+        const glm::vec3 crossing = view.from_middle(centre, std::max(-away, 0.0f) / (next - away) * out);
         glm::vec3 normal = ground_.empty() ? view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing,
                                                                                 k_apart * view.cell_size)
                                            : ground_.normal(crossing, k_apart * view.cell_size);

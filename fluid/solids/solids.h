@@ -231,6 +231,8 @@ class Solids {
     /// Distances below this fraction of a cell count as 0: a body along the cells' faces has these faces closed, whatever rounding
     /// does.
     static constexpr float k_touch = 1e-4f;
+    /// Whether a body holds a centre, `away` [cells] from its surface: from one that only touched it, each line would be blocked.
+    static constexpr bool holds(float away) { return away <= k_touch; }
     /// Closed fraction of a face that a body only touches; it stays open. A block along the cells has three such faces for each that
     /// it closes, and each costs as much.
     static constexpr float k_least_closed = 2.0f * k_touch;
