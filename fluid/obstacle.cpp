@@ -128,11 +128,14 @@ float least_thickness(const VoxelShape& shape) {
 // golden section. A search that follows the distance ends too early along a surface.
 bool crosses(const auto& convex, glm::vec3 from, glm::vec3 to) {
     constexpr float k_section = 0.618034f;
+    constexpr int k_steps = 40; // it is within k_touches of the length after 20
     const float length = glm::distance(from, to), near = k_touches * length;
+    if (length == 0.0f)
+        return distance(convex, from, 0.0f) <= 0.0f;
     const auto at = [&](float way) { return distance(convex, glm::mix(from, to, way / length), length); };
     float low = 0.0f, high = length, first = high - k_section * length, second = low + k_section * length;
     float by_first = at(first), by_second = at(second);
-    while (true) {
+    for (int n = 0; n < k_steps; ++n) {
         const float least = std::min(by_first, by_second);
         if (least <= near)
             return true;
@@ -146,6 +149,7 @@ bool crosses(const auto& convex, glm::vec3 from, glm::vec3 to) {
             by_first = std::exchange(by_second, at(second = low + k_section * (high - low)));
         }
     }
+    return false;
 }
 // A point on the plane counts as above it, so that each path between its sides has one crossing at least; of two edges that lines go
 // through one holds them, so that a plate closes as many faces as it covers. What only rounding parts is on them: a plate that is

@@ -156,6 +156,18 @@ inline std::vector<Scenario> scenarios(bool whole) {
                             if (n == 9)
                                 must(wind.obstacles().set(obstacle_id(1), scenario_parts::tile_of_hills({1, 3}, {40, 40}, 0.4)));
                         }});
+    rows.push_back(
+        {.name = "bar_through_the_box_moves", // whose cuts of the boundaries are closed too
+         .config = [](Config& c) { c.viscosity = 0.5f; },
+         .begin =
+             [](WindControl& wind) {
+                 must(wind.obstacles().add(
+                     {.position = {0.0, 0.3, 0.4}, .shape = Block{{100.0f, 1.3f, 1.6f}}, .surface = Surface::no_slip}));
+             },
+         .step =
+             [](WindControl& wind, int n) {
+                 must(wind.obstacles().move(obstacle_id(), {0.0, 0.3 - 0.02 * n, 0.4}));
+             }});
     rows.push_back({.name = "floor", .config = [](Config& c) { c.boundaries = Boundaries::open_over_floor(); }});
     rows.push_back({.name = "profile", .config = [](Config& c) { c.profile = LogProfile{}; }});
     rows.push_back({.name = "gusts", .config = [](Config& c) { c.gusts.intensity = 0.2f; }});

@@ -314,7 +314,7 @@ SurfaceHistory Cells::surface_history() const {
         history.placed = placed_;
     history.inside_is_air = inside_is_air_;
     history.keys = state.solid_keys;
-    history.terms = state.solid_terms;
+    history.terms.assign(state.solid_terms.begin(), state.solid_terms.begin() + static_cast<std::ptrdiff_t>(history.keys.size()));
     history.shift = unplaced_shift_;
     return history;
 }

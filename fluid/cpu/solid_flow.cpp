@@ -27,6 +27,8 @@ FaceScales scales_in(const RowTable& rows, const ClosedFace& face) {
     if (face.axis != 1)
         return {};
     const std::size_t low = face.place[1];
+    if (face.ends_box())
+        return {.link = 1.0f, .cell = {rows.scales()[low], rows.scales()[low]}};
     return {.link = rows.links()[low + 1], .cell = {rows.scales()[low], rows.scales()[low + 1]}};
 }
 
@@ -320,8 +322,10 @@ void SolidFlow::find_flux(std::span<const glm::vec4> velocity, std::span<float> 
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         const float passed = numerics::windrow_closed_flux(face.closed, both, face.wall);
-        flux[face.surface[0]] -= scales.cell[0] * passed;
-        flux[face.surface[1]] += scales.cell[1] * passed;
+        if (!(face.ends_box() && face.shut[0]))
+            flux[face.surface[0]] -= scales.cell[0] * passed;
+        if (!(face.ends_box() && face.shut[1]))
+            flux[face.surface[1]] += scales.cell[1] * passed;
     });
 }
 
@@ -432,7 +436,7 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
             else
                 flux[face.axis] = stuck[face.axis];
             result[face.cell[end]] +=
-                glm::vec4(ratio * scales.cell[end] * scales.link * face.closed * (flux - (next - here)), 0.0f);
+                glm::vec4(ratio * scales.cell[end] * scales.link * (face.facing[end] * flux - face.closed * (next - here)), 0.0f);
         }
     });
 }
@@ -444,7 +448,7 @@ void SolidFlow::drag_along_walls(const PrescribedFlow& prescribed, float ratio, 
         const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
             const std::uint32_t cell = face.cell[end];
-            const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.closed, part = way / (1.0f + way);
+            const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.facing[end], part = way / (1.0f + way);
             const glm::vec3 apart = wall - (any ? prescribed_at(prescribed, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
             for (int axis = 0; axis < 3; ++axis)
                 if (sticks || axis == face.axis)

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+#include <tuple>
 #include <utility>
 
 namespace windrow {
@@ -14,6 +15,11 @@ namespace {
 
 constexpr float k_open_at_most = 6e-3f; // open fractions of a shut cell, all faces together
 constexpr int k_farthest_reach = 6;     // [cells] beyond it every cell counts as beside a sub-grid body
+
+struct ByCell {
+    bool operator()(const ClosedFace& face, std::uint32_t cell) const { return face.cell[0] < cell; }
+    bool operator()(std::uint32_t cell, const ClosedFace& face) const { return cell < face.cell[0]; }
+};
 
 } // namespace
 
@@ -45,6 +51,7 @@ void Solids::for_each_flagged(std::uint8_t flags, const Visit& visit) const {
 void Solids::gather_faces() {
     unsorted_.clear();
     at_open_ends_.clear();
+    ends_.clear();
     filling_ = 0;
     const auto in_box = [&](glm::ivec3 cell) {
         return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, box_.cells));
@@ -53,8 +60,14 @@ void Solids::gather_faces() {
         const auto number = static_cast<std::uint16_t>(body);
         for (const Drawing::Face& drawn : drawings_[body].faces) {
             glm::ivec3 next;
-            if (!in_box(drawn.cell) || !neighbour(drawn.cell, drawn.axis, 1, next))
+            if (!in_box(drawn.cell) || !neighbour(drawn.cell, drawn.axis, 1, next)) {
+                const int end = in_box(drawn.cell) ? 1 : 0;
+                glm::ivec3 cell = drawn.cell;
+                cell[drawn.axis] += 1 - end;
+                if (in_box(cell) && cell[drawn.axis] == end * (box_.cells[drawn.axis] - 1) && is_open_end(drawn.axis, end))
+                    ends_.push_back(end_face(cell, drawn, end, number));
                 continue;
+            }
             ClosedFace& face = gathered(drawn.cell, next, drawn.axis, number);
             const float sum = face.closed + drawn.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
             face.closed = scale * sum;
@@ -79,6 +92,10 @@ void Solids::gather_faces() {
         if (2 * in_body > box_.cell_count() && !std::holds_alternative<Ground>(bodies_[body].shape))
             ++filling_;
     }
+    std::sort(ends_.begin(), ends_.end(), [](const ClosedFace& a, const ClosedFace& b) {
+        return std::tuple(a.cell[0], a.axis, a.shut[1], a.body, a.closed) <
+               std::tuple(b.cell[0], b.axis, b.shut[1], b.body, b.closed);
+    });
     close_at_open_ends();
 }
 
@@ -99,9 +116,27 @@ ClosedFace& Solids::gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uin
     return unsorted_[at];
 }
 
-// An open boundary of the box is open in front of a body too: air would come through the cells inside. They close all their faces.
+ClosedFace Solids::end_face(glm::ivec3 cell, const Drawing::Face& drawn, int end, std::uint16_t body) const {
+    const std::uint32_t n = index(cell), potential = potential_of(cell);
+    return {.cell = {n, n},
+            .potential = {potential, potential},
+            .closed = drawn.closed,
+            .wall = drawn.wall,
+            .body = body,
+            .place = {static_cast<std::uint16_t>(cell.x), static_cast<std::uint16_t>(cell.y), static_cast<std::uint16_t>(cell.z)},
+            .axis = static_cast<std::uint8_t>(drawn.axis),
+            .shut = {end == 0, end == 1}};
+}
+
+// Cells inside whose face at an open boundary of the box is closed: the pressure would drive air through it. They close all their faces.
 void Solids::close_at_open_ends() {
+    const auto is_closed = [&](glm::ivec3 cell) {
+        const auto [from, to] = std::equal_range(ends_.begin(), ends_.end(), index(cell), ByCell{});
+        return std::any_of(from, to, [](const ClosedFace& face) { return face.closed >= k_tight; });
+    };
     for (const glm::ivec3& cell : at_open_ends_) {
+        if (!is_closed(cell))
+            continue;
         const std::uint16_t number = body_of_[index(cell)];
         const PlacedObstacle& body = bodies_[number];
         for (int axis = 0; axis < 3; ++axis)
@@ -169,6 +204,53 @@ void Solids::find_shut_cells() {
             faces_[kept++] = face;
     }
     faces_.resize(kept);
+}
+
+// Behind the other faces, what bodies close of the open boundaries of the box, where they go on into it. Without them a wind along a
+// ground or a wall would come in through all of a cell that they cut and go on through a part.
+void Solids::add_end_faces() {
+    first_end_ = faces_.size();
+    for (const ClosedFace& end : ends_) {
+        const std::uint32_t n = end.cell[0];
+        std::uint32_t low = n;
+        const bool goes_on = inside(n) || ((end.shut[0] || low_neighbour(n, end.axis, low)) && face(low, end.axis) != nullptr);
+        if ((flags_[n] & k_shut) != 0 || !goes_on)
+            continue;
+        if (faces_.size() > first_end_ && faces_.back().cell[0] == n && faces_.back().axis == end.axis &&
+            faces_.back().shut[0] == end.shut[0]) { // of several bodies
+            ClosedFace& both = faces_.back();
+            const float sum = both.closed + end.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
+            both.closed = scale * sum;
+            both.wall = scale * (both.wall + end.wall);
+            continue;
+        }
+        faces_.push_back(end);
+    }
+}
+
+// Of the face on the other side of the cell at an end of a face.
+float Solids::closed_beyond(const ClosedFace& between, int end) const {
+    const std::uint32_t cell = between.cell[end];
+    std::uint32_t low = cell;
+    if (end == 1 || low_neighbour(cell, between.axis, low))
+        if (const ClosedFace* const other = face(low, between.axis))
+            return other->closed;
+    const auto [from, to] = std::equal_range(end_faces().begin(), end_faces().end(), cell, ByCell{});
+    const auto at = std::find_if(from, to, [&](const ClosedFace& other) {
+        return other.axis == between.axis && other.shut[end]; // beyond the same end
+    });
+    return at == to ? 0.0f : at->closed;
+}
+
+// A body that cuts two opposite faces of a cell passes along: its wall is across by what one has more than the other. Two that are
+// closed whole are two walls.
+void Solids::find_facing() {
+    for (ClosedFace& between : faces_)
+        for (int end = 0; end < 2 && !between.ends_box(); ++end) {
+            const float beyond = closed_beyond(between, end);
+            between.facing[end] =
+                std::min(between.closed, beyond) >= k_tight ? between.closed : std::max(between.closed - beyond, 0.0f);
+        }
 }
 
 // Those that others, which are not shut, reach.
@@ -363,22 +445,27 @@ void Solids::collect_thin() {
 
 // The lists that push_back grows have none to spare where they have just grown.
 void Solids::make_room_for_motion() {
-    const auto spare = [](auto&... lists) { (detail::make_room(lists, lists.size() + lists.size() / 4), ...); };
-    spare(faces_, unsorted_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_,
-          room_ends_, sheltered_, sealed_, sealed_cells_, sealed_surface_, unreached_, nodes_, node_parts_, changes_,
+    const auto spare = [](auto&... lists) {
+        (detail::make_room(lists, std::max(lists.size() + lists.size() / 4, std::size_t{32})), ...);
+    };
+    detail::make_room(ends_, faces_.size() / 3); // of a body that comes to the boundary
+    detail::make_room(at_open_ends_, faces_.size() / 3);
+    spare(faces_, unsorted_, ends_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_,
+          rooms_, room_ends_, sheltered_, sealed_, sealed_cells_, sealed_surface_, unreached_, nodes_, node_parts_, changes_,
           thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    std::size_t sum =
-        bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
-        bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) + bytes(unsorted_) +
-        bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) + bytes(sealed_) + bytes(sealed_cells_) +
-        bytes(sealed_surface_) + bytes(unreached_) + bytes(part_of_) + bytes(nodes_) + bytes(node_parts_) + bytes(changes_) +
-        bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
-        bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) + bytes(drawn_sides_) +
-        bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) + bytes(corner_levels_) + bytes(owners_);
+    std::size_t sum = bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
+                      bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) +
+                      bytes(unsorted_) + bytes(ends_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) +
+                      bytes(sheltered_) + bytes(sealed_) + bytes(sealed_cells_) + bytes(sealed_surface_) + bytes(unreached_) +
+                      bytes(part_of_) + bytes(nodes_) + bytes(node_parts_) + bytes(changes_) + bytes(runs_) + bytes(row_runs_) +
+                      bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) + bytes(distances_) +
+                      bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) + bytes(drawn_sides_) +
+                      bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) + bytes(corner_levels_) +
+                      bytes(owners_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
             sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near) +

@@ -57,7 +57,7 @@ bool Solids::neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) 
 bool Solids::at_open_end(glm::ivec3 cell) const {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            if (cell[axis] == end * (box_.cells[axis] - 1) && box_.boundaries.at(axis, end).kind == BoundaryKind::open)
+            if (cell[axis] == end * (box_.cells[axis] - 1) && is_open_end(axis, end))
                 return true;
     return false;
 }
@@ -136,6 +136,8 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         if (face.closed >= 0.5f)
             flags_[face.cell[0]] |= static_cast<std::uint8_t>(1u << face.axis);
     find_shut_cells();
+    add_end_faces();
+    find_facing();
     collect_open_sides();
     collect_surface();
     find_sealed();
@@ -169,7 +171,7 @@ bool Solids::is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacl
 
 // Whether the drawing of a body has all cells that the box has now, of a tile beside the same tiles.
 bool Solids::still_holds(const Drawing& drawing) const {
-    const Reach needed = reach_of(drawing.body, glm::ivec3(0));
+    const Reach needed = reach_of(drawing.body, needed_beyond());
     return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high)) &&
            drawing.beside.size() == beside_.size() &&
            std::all_of(beside_.begin(), beside_.end(), [&](const auto& tile) { return stands_in(tile, drawing.beside); });
@@ -270,8 +272,8 @@ void Solids::take_room(Drawing& drawing, const PlacedObstacle& body) {
 void Solids::draw(std::size_t number) {
     Drawing& drawing = drawings_[number];
     clear_drawn();
-    const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
-    const glm::ivec3 beyond = k_beyond * (1 - images);
+    const glm::ivec3 images = 1 - needed_beyond();
+    const glm::ivec3 beyond = k_beyond * needed_beyond();
     const glm::vec3 size = glm::vec3(box_.cells) * box_.cell_size;
     const Reach whole = reach_of(drawing.body, beyond);
     drawing.low = glm::mix(whole.low, glm::ivec3(0), glm::equal(images, glm::ivec3(1)));
@@ -303,7 +305,7 @@ void Solids::draw(std::size_t number) {
 bool Solids::draw_rest(std::size_t number) {
     Drawing& drawing = drawings_[number];
     const PlacedObstacle& body = bodies_[number];
-    const Reach needed = reach_of(body, glm::ivec3(0));
+    const Reach needed = reach_of(body, needed_beyond());
     if (!TiledGround::is_upright_ground(body) || box_.boundaries.periodic(0) || box_.boundaries.periodic(1) ||
         box_.boundaries.periodic(2) || drawing.low.y > needed.low.y || drawing.high.y < needed.high.y ||
         detail::thickness(body.shape) < k_thin_wall * box_.coarsest()) // a tile beside it changes all of it
@@ -446,7 +448,7 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
 void Solids::name_faces(std::vector<std::uint32_t>& names) const {
     detail::make_room(names, faces_.size());
     names.clear();
-    for (const ClosedFace& face : faces_)
+    for (const ClosedFace& face : faces().first(first_end_))
         names.push_back(4 * face.cell[0] + face.axis);
 }
 
@@ -458,7 +460,7 @@ void Solids::find_origins(std::span<const std::uint32_t> before, glm::ivec3 shif
     if (box_.rows && shift.y != 0)
         before = {};
     std::size_t from = 0; // both lists are sorted by cell; a shift of the box does not change the order of the cells that stay
-    for (std::size_t n = 0; n < faces_.size(); ++n) {
+    for (std::size_t n = 0; n < first_end_; ++n) { // those behind have no slope
         const ClosedFace& face = faces_[n];
         const glm::ivec3 then = glm::ivec3(face.place[0], face.place[1], face.place[2]) + shift;
         if (glm::all(glm::greaterThanEqual(then, glm::ivec3(0))) && glm::all(glm::lessThan(then, box_.cells))) {

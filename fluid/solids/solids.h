@@ -60,10 +60,14 @@ struct ClosedFace {
     std::uint32_t surface[2] = {};   ///< the same among the surface cells
     float closed = 0.0f;             ///< fraction
     float wall = 0.0f;               ///< [m/s] closed times the body's own velocity along the axis
+    float facing[2] = {};            ///< of `closed`, what is a wall across the axis in each cell, and not a cut along it
     std::uint16_t body = 0;
     std::uint16_t place[3] = {}; ///< of the low cell, in the box
     std::uint8_t axis = 0;
     bool shut[2] = {}; ///< of the cells
+    /// At an open boundary of the box: both ends are the one cell, and that beyond the boundary is shut. The velocity beyond is the
+    /// cell's own, and no slope is taken off: the pressure acts through all of the face.
+    [[nodiscard]] bool ends_box() const { return cell[0] == cell[1]; }
 };
 
 class Solids {
@@ -122,7 +126,9 @@ class Solids {
     WINDROW_INTERNAL void place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     [[nodiscard]] bool any() const { return !faces_.empty() || !inside_.empty(); }
 
+    /// Sorted by low cell and axis; behind them those that end the box.
     [[nodiscard]] std::span<const ClosedFace> faces() const { return faces_; }
+    [[nodiscard]] std::span<const ClosedFace> end_faces() const { return faces().subspan(first_end_); }
     [[nodiscard]] std::span<const SurfaceCell> surface() const { return surface_; }
     [[nodiscard]] std::span<const InsideCell> inside() const { return inside_; }
     [[nodiscard]] std::span<const OpenSide> open_sides() const { return open_sides_; }
@@ -314,6 +320,10 @@ class Solids {
         float level = 0.0f; ///< [m] from the body's middle: of the ground at the centre
     };
     [[nodiscard]] glm::ivec3 air_cell_at(glm::dvec3 place, glm::ivec3 first, glm::ivec3 end) const;
+    /// A drawing has the faces of the box's low boundaries too, which are those of the cells below; around the box it is repeated.
+    [[nodiscard]] glm::ivec3 needed_beyond() const {
+        return {!box_.boundaries.periodic(0), !box_.boundaries.periodic(1), !box_.boundaries.periodic(2)};
+    }
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const;
     [[nodiscard]] bool still_holds(const Drawing& drawing) const;
@@ -349,8 +359,13 @@ class Solids {
     void gather_faces();
     [[nodiscard]] ClosedFace& gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uint16_t body);
     [[nodiscard]] bool at_open_end(glm::ivec3 cell) const;
+    [[nodiscard]] ClosedFace end_face(glm::ivec3 cell, const Drawing::Face& drawn, int end, std::uint16_t body) const;
     void close_at_open_ends();
     void sort_faces();
+    void add_end_faces();
+    void find_facing();
+    [[nodiscard]] float closed_beyond(const ClosedFace& face, int end) const;
+    [[nodiscard]] bool is_open_end(int axis, int end) const { return box_.boundaries.at(axis, end).kind == BoundaryKind::open; }
     void layer_inside(bool of_rooms);
     void find_rooms();
     void close_rooms();
@@ -403,7 +418,8 @@ class Solids {
     detail::HostVector<std::uint32_t> nodes_, node_parts_; ///< scratch of join_rooms
     detail::HostVector<std::uint32_t> unreached_;          ///< scratch of find_shut_cells
     detail::HostVector<Change> changes_;                   ///< scratch of find_changes: of the other air, then of the parts
-    detail::HostVector<ClosedFace> unsorted_;
+    detail::HostVector<ClosedFace> unsorted_, ends_;       ///< gathered: faces between cells, and at open boundaries
+    std::size_t first_end_ = 0;
     detail::HostVector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
     detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw
     detail::HostVector<Drawing::Inside> drawn_inside_; ///< scratch of draw

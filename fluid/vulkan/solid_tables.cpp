@@ -149,6 +149,13 @@ void SolidTables::add_records() {
         words_.push_back(at_surface ? static_cast<std::int32_t>(surface - solids_.surface().begin()) : -1);
         words_.push_back(word(solids_.change_in(cell)));
     }
+    const std::span<std::int32_t> records = std::span(words_).last(static_cast<std::size_t>(here() - records_at));
+    for (const ClosedFace& face : solids_.end_faces()) { // of one cell alone
+        const auto record = std::lower_bound(cells_.begin(), cells_.end(), face.cell[0]) - cells_.begin();
+        const std::ptrdiff_t of_face = 1 + 2 * face.axis + (face.shut[1] ? 1 : 0);
+        records[static_cast<std::size_t>(WINDROW_RECORD * record + of_face)] =
+            static_cast<std::int32_t>(&face - solids_.faces().data());
+    }
     const int terms_at = here();
     for (const Term& term : terms_)
         for (const std::int32_t each :
@@ -169,8 +176,9 @@ void SolidTables::add_faces() {
                      (face.shut[end] ? WINDROW_LOW_SHUT << end : 0);
         if (solids_.bodies()[face.body].surface == Surface::no_slip)
             flags |= WINDROW_FACE_NO_SLIP;
-        for (const std::int32_t each : {word(face.cell[0]), word(face.cell[1]), word(face.surface[0]), word(face.surface[1]),
-                                        word(face.closed), word(face.wall), flags, std::int32_t{face.body}})
+        for (const std::int32_t each :
+             {word(face.cell[0]), word(face.cell[1]), word(face.surface[0]), word(face.surface[1]), word(face.closed),
+              word(face.wall), flags, std::int32_t{face.body}, word(face.facing[0]), word(face.facing[1])})
             words_.push_back(each);
     }
     head_.faces = at;

@@ -155,7 +155,7 @@ struct WindrowSolids {
     int loads_before;  // the same of the last placement
 };
 #define WINDROW_RECORD 11
-#define WINDROW_FACE 8
+#define WINDROW_FACE 10
 #define WINDROW_TERM 6
 #define WINDROW_BODY 9
 #define WINDROW_OPEN_SIDE 5

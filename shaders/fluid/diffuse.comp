@@ -44,7 +44,7 @@ vec3 closed_flux(ivec3 cell, int record, vec3 here) {
                 flux = stuck;
             else
                 flux[axis] = stuck[axis];
-            sum += exchange(cell, axis, end) * face.closed * (flux - (next - here));
+            sum += exchange(cell, axis, end) * (face.facing[1 - end] * flux - face.closed * (next - here));
         }
     return sum;
 }
@@ -61,7 +61,7 @@ vec3 dragged_air(ivec3 cell, int record, float ratio) {
             continue;
         const SolidFace face = solid_face(number);
         const vec3 place = face_middle(solid_cell(face.cell[0]), axis);
-        const float way = 2.0f * ratio * exchange(cell, axis, n / 3) * face.closed, part = way / (1.0f + way);
+        const float way = 2.0f * ratio * exchange(cell, axis, n / 3) * face.facing[1 - n / 3], part = way / (1.0f + way);
         const vec3 apart = body_velocity(face.body, place) - wind - v;
         if (face_is_no_slip(face))
             v += part * apart;

@@ -52,6 +52,7 @@ struct SolidFace {
     int axis;
     int flags; // WINDROW_LOW_...; the same shifted by one for the high cell
     int body;
+    float facing[2]; // of `closed`, what is a wall across the axis in each cell
 };
 
 SolidFace solid_face(int n) {
@@ -67,6 +68,8 @@ SolidFace solid_face(int n) {
     face.axis = packed & 3;
     face.flags = packed;
     face.body = solid_words[at + 7];
+    face.facing[0] = solid_float(at + 8);
+    face.facing[1] = solid_float(at + 9);
     return face;
 }
 

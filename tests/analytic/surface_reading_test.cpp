@@ -38,6 +38,51 @@ std::vector<Config> equal_and_thin_rows(const Config& config) {
     return {config, rows};
 }
 
+// A steady wind along a ground, a roof or a wall that goes through the box is a solution, and stays itself to rounding: everywhere in a
+// box of all defaults, wherever the surface cuts the cells. What came in through the whole of a cell at the box's edge and went on
+// through a part made up to 18 % of the wind.
+TEST(SurfaceReading, AWindAlongWhatGoesThroughTheBoxStaysItself) {
+    std::vector<std::pair<std::string, Obstacle>> bodies;
+    for (int n = 0; n < 10; ++n) {
+        const float level = -4.0f + 0.1f * static_cast<float>(n);
+        bodies.push_back({"plain at " + std::to_string(n) + " tenths", ground([=](glm::vec2) { return level; })});
+    }
+    const float along = 200.0f; // [m]
+    const Shape bars[] = {Block{{along, 2.3f, 1.7f}}, Block{{along, 3.0f, 0.2f}},
+                          MeshShape{mesh_of(box_mesh({along, 2.3f, 1.7f}))},
+                          Capsule{.half_axis = {along, 0.0f, 0.0f}, .radius = 2.1f}};
+    for (int n = 0; n < 8; ++n)
+        for (const Shape& bar : bars)
+            bodies.push_back(
+                {"bar " + std::to_string(bodies.size()),
+                 {.position = {0.0, 0.37 * n, 0.21 * n},
+                  .orientation = glm::angleAxis(n < 4 ? 0.0f : 0.4f * static_cast<float>(n), glm::vec3(1.0f, 0.0f, 0.0f)),
+                  .shape = bar}});
+    double worst = 0.0;
+    for (const auto& [name, body] : bodies) {
+        const bool level = std::holds_alternative<Ground>(body.shape);
+        const glm::vec3 ambient(k_wind, 0.0f, level ? 0.5f * k_wind : 0.0f);
+        for (const float viscosity : {0.0f, 0.5f}) { // it slips
+            Wind wind = made({.ambient = ambient, .viscosity = viscosity});
+            ASSERT_TRUE(wind.obstacles().add(body)) << name;
+            for (int n = 0; n < sampled(600, 60); ++n)
+                (void)wind.advance(1.0 / 60.0);
+            double here = 0.0;
+            const glm::quat turn = glm::inverse(body.orientation);
+            for (double z = -15.7; z < 16.0; z += 1.3)
+                for (double y = -7.9; y < 8.0; y += 0.35)
+                    for (double x = -15.9; x < 16.0; x += 1.7) {
+                        const glm::vec3 own = turn * glm::vec3(glm::dvec3(x, y, z) - body.position);
+                        if (detail::distance_to(body.shape, own, 1.0f) > 0.01f)
+                            here = std::max(here, static_cast<double>(glm::distance(wind.velocity({x, y, z}), ambient) / k_wind));
+                    }
+            EXPECT_LE(here, 1e-4) << name << ", viscosity " << viscosity;
+            worst = std::max(worst, here);
+        }
+    }
+    WINDROW_EXPECT_FIGURE("surface_reading/steady_wind_along", worst, 1e-4);
+}
+
 TEST(SurfaceReading, LevelGroundReadsAlikeAtAnyHeightInACell) {
     double worst = 0.0;
     for (const Config& config : equal_and_thin_rows(open_air({k_wind, 0.0f, 0.0f})))

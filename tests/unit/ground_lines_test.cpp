@@ -155,6 +155,11 @@ TEST(ObstacleLines, AreBlockedWhereABodyIsAndNotBesideIt) {
     }
     EXPECT_GT(blocked, 50);
     EXPECT_GT(beside, 50);
+    for (const Shape& shape : shapes) { // a line of no length, and one that is no line
+        EXPECT_TRUE(detail::blocks(shape, glm::vec3(0.1f), glm::vec3(0.1f)));
+        EXPECT_FALSE(detail::blocks(shape, glm::vec3(9.0f), glm::vec3(9.0f)));
+        EXPECT_FALSE(detail::blocks(shape, glm::vec3(std::nanf("")), glm::vec3(9.0f)));
+    }
 }
 
 // However near the centres of a row a roof or a wall is, the faces across it are closed by the part that is under it. They were
