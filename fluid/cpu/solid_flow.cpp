@@ -322,9 +322,9 @@ void SolidFlow::find_flux(std::span<const glm::vec4> velocity, std::span<float> 
     for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         const float passed = numerics::windrow_closed_flux(face.closed, both, face.wall);
-        if (!(face.ends_box() && face.shut[0]))
+        if (!face.shut[0])
             flux[face.surface[0]] -= scales.cell[0] * passed;
-        if (!(face.ends_box() && face.shut[1]))
+        if (!face.shut[1])
             flux[face.surface[1]] += scales.cell[1] * passed;
     });
 }

@@ -21,6 +21,13 @@ struct ByCell {
     bool operator()(std::uint32_t cell, const ClosedFace& face) const { return cell < face.cell[0]; }
 };
 
+// Bodies that close parts of one face close their sum, at most the whole.
+void add_part(ClosedFace& face, float closed, float wall) {
+    const float sum = face.closed + closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
+    face.closed = scale * sum;
+    face.wall = scale * (face.wall + wall);
+}
+
 } // namespace
 
 template <class Visit>
@@ -47,7 +54,7 @@ void Solids::for_each_flagged(std::uint8_t flags, const Visit& visit) const {
 
 // --- Lists -------------------------------------------------------------------------------------------------------------------
 
-// All drawings' faces and inside cells in the box. Bodies that close parts of one face close their sum.
+// All drawings' faces and inside cells in the box.
 void Solids::gather_faces() {
     unsorted_.clear();
     at_open_ends_.clear();
@@ -69,9 +76,7 @@ void Solids::gather_faces() {
                 continue;
             }
             ClosedFace& face = gathered(drawn.cell, next, drawn.axis, number);
-            const float sum = face.closed + drawn.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
-            face.closed = scale * sum;
-            face.wall = scale * (face.wall + drawn.wall);
+            add_part(face, drawn.closed, drawn.wall);
         }
         std::uint32_t drawn = 0;
         std::size_t in_body = 0;
@@ -218,10 +223,7 @@ void Solids::add_end_faces() {
             continue;
         if (faces_.size() > first_end_ && faces_.back().cell[0] == n && faces_.back().axis == end.axis &&
             faces_.back().shut[0] == end.shut[0]) { // of several bodies
-            ClosedFace& both = faces_.back();
-            const float sum = both.closed + end.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
-            both.closed = scale * sum;
-            both.wall = scale * (both.wall + end.wall);
+            add_part(faces_.back(), end.closed, end.wall);
             continue;
         }
         faces_.push_back(end);
