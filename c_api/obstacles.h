@@ -28,6 +28,11 @@ WINDROW_C_API void windrow_voxels_destroy(windrow_voxels* voxels);
 /* Heights [m] at the corners of a grid, x fastest. */
 WINDROW_C_API windrow_result windrow_height_map_create(windrow_ivec2 corners, float spacing, const float* heights, uint64_t count,
                                                        windrow_height_map** map);
+/* The same with holes, where there is no ground to any depth: a grid of cells that covers the map whole, one byte a cell, other than 0
+   is a hole. */
+WINDROW_C_API windrow_result windrow_height_map_create_with_holes(windrow_ivec2 corners, float spacing, const float* heights,
+                                                                  uint64_t count, windrow_ivec2 cells, const uint8_t* open,
+                                                                  uint64_t cell_count, windrow_height_map** map);
 WINDROW_C_API void windrow_height_map_destroy(windrow_height_map* map);
 WINDROW_C_API float windrow_height_map_height(const windrow_height_map* map, windrow_vec2 place);
 WINDROW_C_API windrow_vec3 windrow_height_map_normal(const windrow_height_map* map, windrow_vec2 place);

@@ -122,7 +122,7 @@ void fields(auto& archive, Like<TickRecorded> auto& event) {
 namespace {
 
 constexpr detail::Format k_format{"WINDLOGS",
-                                  detail::Layout("events 6").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
+                                  detail::Layout("events 7").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
                                   "event log", "EventLog::to_bytes"};
 
 } // namespace

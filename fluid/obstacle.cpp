@@ -55,17 +55,18 @@ float distance(const VoxelShape& shape, glm::vec3 p, float most) {
     return shape.cell_size * shape.grid->distance_to(in_grid(shape, p), most / shape.cell_size);
 }
 
-// The height over it: the surface may be nearer. From its end, the distance.
+// The height over it: the surface may be nearer. From its end or a hole, the distance.
 float distance(const Ground& shape, glm::vec3 p, float) {
     const float height = p.y - height_at(shape, p);
-    if (shape.beyond == Beyond::edge)
-        return height;
-    const glm::vec2 size = extent_across(shape), at(p.x, p.z);
-    const glm::vec2 beyond = glm::max(-at, at - size); // below 0: before its ends
-    const float outside = glm::length(glm::max(beyond, 0.0f));
+    const glm::vec2 at(p.x, p.z);
+    float outside = std::numeric_limits<float>::infinity(), end = whole_of(shape).before_end(at);
+    for (const HeightMap::Part& part : shape.heights->parts())
+        outside = std::min(outside, part_of(shape, part).outside(at));
     if (outside > 0.0f)
         return height > 0.0f ? glm::length(glm::vec2(outside, height)) : outside;
-    return std::max(height, std::max(beyond.x, beyond.y));
+    for (const HeightMap::Part& hole : shape.heights->holes())
+        end = std::min(end, part_of(shape, hole).outside(at));
+    return std::max(height, -end);
 }
 
 glm::vec3 extent(const Sphere& ball) {
@@ -91,7 +92,7 @@ glm::vec3 extent(const VoxelShape& shape) {
 }
 
 glm::vec3 extent(const Ground& ground) {
-    const glm::vec2 across = glm::min(extent_across(ground), k_everywhere);
+    const glm::vec2 across = glm::min(whole_of(ground).last, k_everywhere);
     return {across.x, k_everywhere, across.y};
 }
 
@@ -165,7 +166,10 @@ bool crosses(const MeshShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.mesh->crosses(from / shape.scale, to / shape.scale);
 }
 bool crosses(const Ground& ground, glm::vec3 from, glm::vec3 to) {
-    return least_rise(ground, from, to) <= k_touches * glm::distance(from, to);
+    const auto parts = ground.heights->parts();
+    return std::any_of(parts.begin(), parts.end(), [&](const HeightMap::Part& part) {
+        return least_rise(ground, part_of(ground, part), from, to) <= k_touches * glm::distance(from, to);
+    });
 }
 bool crosses(const VoxelShape& shape, glm::vec3 from, glm::vec3 to) {
     return shape.grid->crosses(in_grid(shape, from), in_grid(shape, to));
@@ -205,9 +209,26 @@ std::partial_ordering compare(const Shape& a, const Shape& b) {
 
 } // namespace
 
-glm::vec2 extent_across(const Ground& ground) {
-    return ground.beyond == Beyond::edge ? glm::vec2(std::numeric_limits<float>::infinity())
-                                         : ground.heights->extent() * glm::vec2(ground.scale.x, ground.scale.z);
+GroundPart part_of(const Ground& ground, const HeightMap::Part& part) {
+    constexpr float k_infinite = std::numeric_limits<float>::infinity();
+    const glm::vec2 scale(ground.scale.x, ground.scale.z), most = ground.heights->extent();
+    GroundPart found{part.low * scale, part.high * scale};
+    for (int axis = 0; axis < 2 && ground.beyond == Beyond::edge; ++axis) {
+        found.first[axis] = part.low[axis] == 0.0f ? -k_infinite : found.first[axis];
+        found.last[axis] = part.high[axis] == most[axis] ? k_infinite : found.last[axis];
+    }
+    return found;
+}
+
+GroundPart whole_of(const Ground& ground) {
+    return part_of(ground, {glm::vec2(0.0f), ground.heights->extent()});
+}
+
+bool holds(const Ground& ground, glm::vec2 place, float distance) {
+    const auto holes = ground.heights->holes();
+    return whole_of(ground).before_end(place) >= distance && std::none_of(holes.begin(), holes.end(), [&](const auto& hole) {
+               return part_of(ground, hole).before_end(place) > -distance;
+           });
 }
 
 float height_at(const Ground& ground, glm::vec3 point) {
@@ -217,17 +238,17 @@ float height_at(const Ground& ground, glm::vec3 point) {
 
 namespace {
 
-// The parts of the way from a place to another that are within a ground's ends; from more than to: none.
-glm::vec2 part_within(const Ground& ground, glm::vec2 from, glm::vec2 to) {
+// The parts of the way from a place to another that are within a part of a ground; from more than to: none.
+glm::vec2 part_within(const GroundPart& ground, glm::vec2 from, glm::vec2 to) {
     glm::vec2 part(0.0f, 1.0f);
-    const glm::vec2 size = extent_across(ground), way = to - from;
-    for (int axis = 0; axis < 2 && ground.beyond == Beyond::nothing; ++axis) {
+    const glm::vec2 way = to - from;
+    for (int axis = 0; axis < 2; ++axis) {
         if (way[axis] == 0.0f) {
-            if (from[axis] < 0.0f || from[axis] > size[axis])
+            if (from[axis] < ground.first[axis] || from[axis] > ground.last[axis])
                 return {1.0f, 0.0f};
             continue;
         }
-        const float a = -from[axis] / way[axis], b = (size[axis] - from[axis]) / way[axis];
+        const float a = (ground.first[axis] - from[axis]) / way[axis], b = (ground.last[axis] - from[axis]) / way[axis];
         part = {std::max(part.x, std::min(a, b)), std::min(part.y, std::max(a, b))};
     }
     return part;
@@ -235,8 +256,8 @@ glm::vec2 part_within(const Ground& ground, glm::vec2 from, glm::vec2 to) {
 
 } // namespace
 
-float least_rise(const Ground& ground, glm::vec3 begin, glm::vec3 end) {
-    const glm::vec2 over = part_within(ground, {begin.x, begin.z}, {end.x, end.z});
+float least_rise(const Ground& ground, const GroundPart& part, glm::vec3 begin, glm::vec3 end) {
+    const glm::vec2 over = part_within(part, {begin.x, begin.z}, {end.x, end.z});
     if (over.x > over.y)
         return std::numeric_limits<float>::infinity();
     const glm::vec3 from = over.x > 0.0f ? glm::mix(begin, end, over.x) : begin,
@@ -279,7 +300,7 @@ float least_rise(const Ground& ground, glm::vec3 begin, glm::vec3 end) {
 glm::vec2 heights_near(const Ground& ground, glm::vec3 point, float distance) {
     const glm::vec2 size(ground.scale.x, ground.scale.z), at(point.x, point.z);
     glm::vec2 range = ground.scale.y * ground.heights->range((at - distance) / size, (at + distance) / size);
-    if (glm::any(glm::lessThan(glm::min(at, extent_across(ground) - at), glm::vec2(distance))))
+    if (!holds(ground, at, distance))
         range.x = -k_everywhere;
     return range;
 }
@@ -304,10 +325,13 @@ glm::vec3 half_extent(const Shape& shape) {
 }
 
 Extent extent_of(const PlacedObstacle& obstacle) {
-    const Extent own = std::visit([](const auto& kind) { return own_extent(kind); }, obstacle.shape);
+    return extent_of(obstacle.axes, std::visit([](const auto& kind) { return own_extent(kind); }, obstacle.shape));
+}
+
+Extent extent_of(const glm::mat3& axes, Extent own) {
     Extent result;
     for (int axis = 0; axis < 3; ++axis) {
-        const glm::vec3 a = obstacle.axes[axis] * own.low[axis], b = obstacle.axes[axis] * own.high[axis];
+        const glm::vec3 a = axes[axis] * own.low[axis], b = axes[axis] * own.high[axis];
         result.low += glm::min(a, b);
         result.high += glm::max(a, b);
     }

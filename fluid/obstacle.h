@@ -112,6 +112,9 @@ inline constexpr std::array<const char*, 2> k_words<Beyond>{"edge", "nothing"};
 ///
 /// Upright grounds at rest with `nothing` beyond are tiles of one surface: where two meet or overlap, the higher counts, and no wall
 /// is between them. They come, go and are replaced while the wind runs; one that has not come yet leaves a gap, with walls about it.
+///
+/// Where its map has a hole (HoleMask) there is no ground to any depth: a shaft with upright walls, in which other bodies stand, as the
+/// walls and the roof of a tunnel. Ground between holes that is thinner than a cell and a half is not tight.
 struct Ground {
     static constexpr const char* k_name = "ground";
     static constexpr const char* k_meaning = "All below a height map: hills, a valley, a dam.";
@@ -208,13 +211,33 @@ struct Extent {
     glm::vec3 low{0.0f}, high{0.0f};
 };
 [[nodiscard]] WINDROW_API Extent extent_of(const PlacedObstacle& obstacle);
-/// [m] Along its own x and z, from its position; infinite where it goes on beyond its edge.
-[[nodiscard]] WINDROW_API glm::vec2 extent_across(const Ground& ground);
+/// The same of a box along an obstacle's own axes.
+[[nodiscard]] WINDROW_API Extent extent_of(const glm::mat3& axes, Extent own);
+/// A part of a ground or a hole of it: a rectangle [m] along its own x and z, from its position; infinite where it goes on beyond an
+/// edge.
+struct GroundPart {
+    glm::vec2 first{0.0f}, last{0.0f};
+    /// [m] From a place outside of it; 0: it holds the place.
+    [[nodiscard]] float outside(glm::vec2 place) const {
+        return glm::length(glm::max(glm::max(first - place, place - last), 0.0f));
+    }
+    /// [m] From a place within it to its next side.
+    [[nodiscard]] float before_end(glm::vec2 place) const {
+        const glm::vec2 before = glm::min(place - first, last - place);
+        return glm::min(before.x, before.y);
+    }
+};
+/// `part` of its map.
+[[nodiscard]] WINDROW_API GroundPart part_of(const Ground& ground, const HeightMap::Part& part);
+/// Of the whole map.
+[[nodiscard]] WINDROW_API GroundPart whole_of(const Ground& ground);
+/// Whether there is ground below all places within `distance` [m] of one along each of its own axes.
+[[nodiscard]] WINDROW_API bool holds(const Ground& ground, glm::vec2 place, float distance = 0.0f);
 /// [m] Of the ground under a point in its own axes; beyond the edge as on it.
 [[nodiscard]] WINDROW_API float height_at(const Ground& ground, glm::vec3 point);
-/// [m] Least height over the ground along the line between two points in its own axes, below 0 where the line is under it; infinite
-/// where no part of the line is over it. Exact: within a texel the height over a bilinear surface is a quadratic of the way.
-[[nodiscard]] WINDROW_API float least_rise(const Ground& ground, glm::vec3 from, glm::vec3 to);
+/// [m] Least height over a part of the ground along the line between two points in its own axes, below 0 where the line is under it;
+/// infinite where no part of the line is over it. Exact: within a texel the height over a bilinear surface is a quadratic of the way.
+[[nodiscard]] WINDROW_API float least_rise(const Ground& ground, const GroundPart& part, glm::vec3 from, glm::vec3 to);
 /// A line that comes as near as this fraction of its length to a surface touches it.
 inline constexpr float k_touches = 1e-4f;
 /// [m] Lowest and highest of the ground within a distance of a point, or of more; where it ends, the lowest is that of its depth.

@@ -21,7 +21,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 8").with<Config>().with<Motor>().with<Obstacle>().version(),
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 9").with<Config>().with<Motor>().with<Obstacle>().version(),
                                   "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {

@@ -60,12 +60,12 @@ Heights rolling(const GroundSource& ground) {
 }
 
 Heights from_file(JsonObject& object, const GroundSource& ground, const std::filesystem::path& file,
-                  const std::filesystem::path& folder, ByteOrder order) {
+                  const std::filesystem::path& folder, const HeightKeys& keys) {
     const std::string named = "is " + quote_json(object.value()["heights"]), name = file.string();
     detail::InputBudget& budget = object.log().budget();
     const auto bytes = detail::read_input(file, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     const auto picture =
-        bytes ? read_height_file(*bytes, name, order, true, object.log()) : Result<HeightPicture>(bytes.failure());
+        bytes ? read_height_file(*bytes, name, keys, true, object.log()) : Result<HeightPicture>(bytes.failure());
     if (!picture) {
         object.reject("heights", named + ": " + picture.error());
         return nullptr;
@@ -123,7 +123,7 @@ double GroundSource::height(double x, double z) const {
 void read_ground(JsonObject object, GroundSource& ground, const std::filesystem::path& folder) {
     const std::size_t faults_before = object.log().faults();
     std::optional<std::filesystem::path> file;
-    const ByteOrder order = byte_order(object);
+    const HeightKeys keys = height_keys(object);
     read_settings(object, ground, [&](const auto& row, auto& member) {
         if constexpr (std::same_as<decltype(member), std::string&>) {
             file = file_beside(object, {row.name, row.meaning}, folder);
@@ -135,7 +135,7 @@ void read_ground(JsonObject object, GroundSource& ground, const std::filesystem:
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.reject("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
-        ground.heights = file ? from_file(object, ground, *file, folder, order) : rolling(ground);
+        ground.heights = file ? from_file(object, ground, *file, folder, keys) : rolling(ground);
         if (!ground.heights && !file)
             object.reject("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");

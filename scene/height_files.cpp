@@ -262,33 +262,53 @@ TiffTags tiff_tags(std::string_view bytes) {
     return tags;
 }
 
-ByteOrder byte_order(JsonObject& object) {
-    return object.word(
-        {"byte_order", "Of a raw file of heights: which byte of a number is first. Other files say it themselves."},
-        ByteOrder::low_first, {{"low_first", ByteOrder::low_first}, {"high_first", ByteOrder::high_first}});
+HeightKeys height_keys(JsonObject& object) {
+    HeightKeys keys;
+    keys.byte_order =
+        object.word({"byte_order", "Of a raw file of heights: which byte of a number is first. Other files say it themselves."},
+                    ByteOrder::low_first, {{"low_first", ByteOrder::low_first}, {"high_first", ByteOrder::high_first}});
+    keys.nodata = object.optional_number(
+        {"nodata", "The file's own number of a place without data, which is filled from its neighbours: 0 to "
+                   "65535 in pictures of 16 bits. Default: as the file says."},
+        {-1e38, 1e38});
+    return keys;
 }
 
-Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, ByteOrder order, bool scaled,
+Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, const HeightKeys& keys, bool scaled,
                                        ReadLog& log) {
     return detail::where_memory_lasts([&]() -> Result<HeightPicture> {
         const std::string kind = std::filesystem::path(name).extension().string();
         const bool pgm = bytes.starts_with("P5") || bytes.starts_with("P2") || kind == ".pgm";
         const std::size_t room = log.budget().memory_left() / sizeof(float);
-        auto picture = kind == ".raw" || kind == ".r16" ? parse_raw(bytes, name, order)
+        auto picture = kind == ".raw" || kind == ".r16" ? parse_raw(bytes, name, keys.byte_order)
                        : kind == ".asc"                 ? parse_asc(bytes, name)
                        : log.heights == nullptr || pgm  ? parse_pgm(bytes, name, room)
                                                         : log.heights(bytes, name, room);
         if (!picture)
             return picture;
         const TiffTags tags = tiff_tags(bytes);
-        if (!picture->nodata)
-            picture->nodata = tags.nodata;
+        if (keys.nodata || !picture->nodata)
+            picture->nodata = keys.nodata ? keys.nodata : tags.nodata;
         if (!picture->pixel)
             picture->pixel = tags.pixel;
         if (auto filled = fill(*picture, name, log); !filled)
             return filled.failure();
         report_pixel(*picture, name, scaled, log);
         return picture;
+    });
+}
+
+Result<HoleMask> read_holes(std::string_view bytes, const std::string& name, ReadLog& log) {
+    constexpr float k_half = 0.5f;
+    const auto picture = read_height_file(bytes, name, {}, true, log);
+    if (!picture)
+        return picture.failure();
+    return detail::where_memory_lasts([&]() -> Result<HoleMask> {
+        HoleMask holes{.cells = picture->data.corners};
+        holes.open.reserve(picture->data.heights.size());
+        for (const float white : picture->data.heights)
+            holes.open.push_back(white > k_half);
+        return holes;
     });
 }
 

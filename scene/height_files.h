@@ -16,14 +16,21 @@ namespace windrow::scene {
 /// Of whole numbers of 16 bits in a raw file.
 enum class ByteOrder : std::uint8_t { low_first, high_first };
 
-/// Of the key `byte_order` of an object that names a file of heights.
-[[nodiscard]] ByteOrder byte_order(JsonObject& object);
+/// What an object that names a file of heights says of it.
+struct HeightKeys {
+    ByteOrder byte_order = ByteOrder::low_first;
+    std::optional<double> nodata{}; ///< in the file's own numbers; none: as the file says
+};
+[[nodiscard]] HeightKeys height_keys(JsonObject& object);
 
 /// Heights, a pixel a metre. Places without data are filled from their neighbours. A line of the log's warnings reports them, and another
 /// one a pixel of another size than a metre. Rejects files of colours, files of which a fifth has no data, and raw files that the other
 /// byte order makes smooth. `scaled`: the scene gives the size of a pixel.
-[[nodiscard]] Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, ByteOrder order,
+[[nodiscard]] Result<HeightPicture> read_height_file(std::string_view bytes, const std::string& name, const HeightKeys& keys,
                                                      bool scaled, ReadLog& log);
+
+/// Holes of a mask: white, above half. Rejects what is no such picture.
+[[nodiscard]] Result<HoleMask> read_holes(std::string_view bytes, const std::string& name, ReadLog& log);
 
 /// What a TIFF says beside its pixels, of GDAL's tags.
 struct TiffTags {

@@ -36,14 +36,14 @@ auto alone(const Parse& parse) {
 
 template <class Kind, class Parse>
 void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, Files<Kind>& files,
-                      std::shared_ptr<const Kind>& shared, const Parse& parse) {
+                      std::shared_ptr<const Kind>& shared, const Parse& parse, const std::string& how) {
     const auto file = file_beside(object, key, folder_);
     if (!file) {
         if (!object.value().contains(key.name))
             object.reject(key, message("is missing: name ", what, " in the scene's folder."));
         return;
     }
-    const auto [known, added] = files.try_emplace(*file);
+    const auto [known, added] = files.try_emplace(message(file->string(), how));
     if (!added) {
         shared = known->second;
         if (shared == nullptr)
@@ -84,15 +84,45 @@ void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const 
 }
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights) {
-    const ByteOrder order = byte_order(object);
+    read_heights(object, key, heights, std::nullopt);
+}
+
+void ShapeFiles::read_ground(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights) {
+    read_heights(object, key, heights, holes_of(object));
+}
+
+std::optional<std::filesystem::path> ShapeFiles::holes_of(JsonObject& object) const {
+    return file_beside(object,
+                       {"holes",
+                        "Picture beside the scene, PGM, PNG or TIFF, which covers the heights whole, however many pixels it has: "
+                        "where it is white there is no ground, to any depth. Default: no hole."},
+                       folder_);
+}
+
+void ShapeFiles::read_heights(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights,
+                              const std::optional<std::filesystem::path>& holes) {
+    const HeightKeys keys = height_keys(object);
     const bool scaled = object.value().contains("scale");
-    read(object, key, "a picture of heights, PGM, PNG, TIFF, .asc or raw,", heights_, heights,
-         [&](std::string_view bytes, const std::string& name, ReadLog& log) -> Result<HeightData> {
-             auto picture = read_height_file(bytes, name, order, scaled, log);
-             if (!picture)
-                 return picture.failure();
-             return std::move(picture->data);
-         });
+    const std::string how = message(", byte order ", static_cast<int>(keys.byte_order), keys.nodata ? ", nodata " : "",
+                                    keys.nodata.value_or(0.0), ", holes ", holes ? holes->string() : "");
+    read(
+        object, key, "a picture of heights, PGM, PNG, TIFF, .asc or raw,", heights_, heights,
+        [&](std::string_view bytes, const std::string& name, ReadLog& log) -> Result<HeightData> {
+            auto picture = read_height_file(bytes, name, keys, scaled, log);
+            if (!picture)
+                return picture.failure();
+            if (holes) {
+                const auto mask = detail::read_input(*holes, {.folder = folder_, .max_bytes = k_max_bytes}, log.budget());
+                if (!mask)
+                    return mask.failure();
+                auto read = read_holes(*mask, holes->string(), log);
+                if (!read)
+                    return read.failure();
+                picture->data.holes = *std::move(read);
+            }
+            return std::move(picture->data);
+        },
+        how);
 }
 
 } // namespace windrow::scene

@@ -23,14 +23,20 @@ class ShapeFiles {
     void read(JsonObject& object, const Key& key, std::shared_ptr<const TriangleMesh>& mesh);
     void read(JsonObject& object, const Key& key, std::shared_ptr<const VoxelGrid>& grid);
     void read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights);
+    /// The same with holes, of a ground.
+    void read_ground(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights);
+    /// The file of a ground's holes.
+    [[nodiscard]] std::optional<std::filesystem::path> holes_of(JsonObject& object) const;
 
   private:
     template <class Kind>
-    using Files = std::map<std::filesystem::path, std::shared_ptr<const Kind>>;
+    using Files = std::map<std::string, std::shared_ptr<const Kind>>; ///< by the file and how it is read
 
     template <class Kind, class Parse>
     void read(JsonObject& object, const Key& key, const char* what, Files<Kind>& files, std::shared_ptr<const Kind>& shared,
-              const Parse& parse);
+              const Parse& parse, const std::string& how = "");
+    void read_heights(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights,
+                      const std::optional<std::filesystem::path>& holes);
 
     std::filesystem::path folder_;
     Files<TriangleMesh> meshes_; ///< null: rejected
@@ -47,12 +53,18 @@ void read_with_files(JsonObject object, Struct& value, ShapeFiles& files, bool p
     read_settings(object, value, [&](const auto& row, auto& member) {
         const Key key{row.name, row.meaning};
         if constexpr (requires { files.read(object, key, member); }) {
-            if (present)
-                files.read(object, key, member);
-            else
+            constexpr bool has_holes = std::same_as<Struct, Ground>;
+            if (!present) { // known where no file is named too
                 (void)object.text(key, "");
-            if constexpr (std::same_as<decltype(member), std::shared_ptr<const HeightMap>&>)
-                (void)byte_order(object); // known where no file is named too
+                if constexpr (std::same_as<decltype(member), std::shared_ptr<const HeightMap>&>)
+                    (void)height_keys(object);
+                if constexpr (has_holes)
+                    (void)files.holes_of(object);
+            } else if constexpr (has_holes) {
+                files.read_ground(object, key, member);
+            } else {
+                files.read(object, key, member);
+            }
             return true;
         } else if constexpr (requires { read_optional(object, key, member, files); }) {
             read_optional(object, key, member, files);

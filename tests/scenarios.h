@@ -156,6 +156,18 @@ inline std::vector<Scenario> scenarios(bool whole) {
                             if (n == 9)
                                 must(wind.obstacles().set(obstacle_id(1), scenario_parts::tile_of_hills({1, 3}, {40, 40}, 0.4)));
                         }});
+    rows.push_back({.name = "ground_with_holes", // a cellar and a trench
+                    .begin =
+                        [](WindControl& wind) {
+                            Obstacle hills = scenario_parts::hills();
+                            HeightData data = std::get<Ground>(hills.shape).heights->data();
+                            data.holes = {.cells = {20, 20}, .open = std::vector<std::uint8_t>(400)};
+                            for (const int cell : {10 * 20 + 9, 12 * 20 + 10, 12 * 20 + 11, 12 * 20 + 12})
+                                data.holes.open[static_cast<std::size_t>(cell)] = 1;
+                            std::get<Ground>(hills.shape).heights = heights_of(std::move(data));
+                            must(wind.obstacles().add(hills));
+                        },
+                    .step = [](WindControl& wind, int n) { must(wind.follow(glm::dvec3(0.15, 0.0, -0.1) * (n + 1.0))); }});
     rows.push_back(
         {.name = "bar_through_the_box_moves", // whose cuts of the boundaries are closed too
          .config = [](Config& c) { c.viscosity = 0.5f; },

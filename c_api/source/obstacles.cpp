@@ -81,18 +81,49 @@ WINDROW_EXPORT void windrow_voxels_destroy(windrow_voxels* voxels) {
     delete voxels;
 }
 
+namespace {
+
+Result<HeightData> heights_of(windrow_ivec2 corners, float spacing, const float* heights, std::uint64_t count) {
+    if (const std::uint64_t wanted = positive(corners.x) * positive(corners.y); count != wanted)
+        return wrong_count("heights", count, wanted);
+    if (corners.x > HeightMap::k_max_corners || corners.y > HeightMap::k_max_corners) // before they are copied
+        return Error{
+            detail::message("corners is ", to_cpp(corners), ": give at most ", HeightMap::k_max_corners, " along an axis.")};
+    return HeightData{.corners = to_cpp(corners), .spacing = spacing, .heights = {heights, heights + count}};
+}
+
+} // namespace
+
 WINDROW_EXPORT windrow_result windrow_height_map_create(windrow_ivec2 corners, float spacing, const float* heights,
                                                         uint64_t count, windrow_height_map** map) {
     if (map != nullptr)
         *map = nullptr;
     return call({{heights, "heights"}}, [&] {
         return create(map, [&]() -> Result<std::shared_ptr<const HeightMap>> {
-            if (const std::uint64_t wanted = positive(corners.x) * positive(corners.y); count != wanted)
-                return wrong_count("heights", count, wanted);
-            if (corners.x > HeightMap::k_max_corners || corners.y > HeightMap::k_max_corners) // before they are copied
-                return Error{detail::message("corners is ", to_cpp(corners), ": give at most ", HeightMap::k_max_corners,
-                                             " along an axis.")};
-            return HeightMap::create({.corners = to_cpp(corners), .spacing = spacing, .heights = {heights, heights + count}});
+            auto data = heights_of(corners, spacing, heights, count);
+            if (!data)
+                return data.failure();
+            return HeightMap::create(*std::move(data));
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_height_map_create_with_holes(windrow_ivec2 corners, float spacing, const float* heights,
+                                                                   uint64_t count, windrow_ivec2 cells, const uint8_t* open,
+                                                                   uint64_t cell_count, windrow_height_map** map) {
+    if (map != nullptr)
+        *map = nullptr;
+    return call({{heights, "heights"}, {open, "open"}}, [&] {
+        return create(map, [&]() -> Result<std::shared_ptr<const HeightMap>> {
+            auto data = heights_of(corners, spacing, heights, count);
+            if (!data)
+                return data.failure();
+            if (const std::uint64_t wanted = positive(cells.x) * positive(cells.y); cell_count != wanted)
+                return wrong_count("open", cell_count, wanted);
+            if (cells.x > HeightMap::k_max_corners || cells.y > HeightMap::k_max_corners)
+                return Error{
+                    detail::message("cells is ", to_cpp(cells), ": give at most ", HeightMap::k_max_corners, " along an axis.")};
+            data->holes = {.cells = to_cpp(cells), .open = {open, open + cell_count}};
+            return HeightMap::create(*std::move(data));
         });
     });
 }

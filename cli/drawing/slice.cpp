@@ -148,8 +148,7 @@ SlicedAir above_ground(const SlicedAir& air) {
             const glm::dvec3 from(place.x - ground.position.x, 0.0, place.y - ground.position.z);
             const glm::vec3 own = glm::inverse(glm::normalize(ground.orientation)) * glm::vec3(from);
             const auto& shape = std::get<Ground>(ground.shape);
-            const glm::vec2 size = detail::extent_across(shape);
-            if (shape.beyond == Beyond::edge || (own.x >= 0.0f && own.z >= 0.0f && own.x <= size.x && own.z <= size.y))
+            if (detail::holds(shape, {own.x, own.z}))
                 height = std::max(height, ground.position.y + static_cast<double>(detail::height_at(shape, own)));
         }
         return height;

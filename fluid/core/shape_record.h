@@ -18,6 +18,29 @@ void pass_list(auto& archive, auto& items, std::size_t bytes_each) {
         archive(item);
 }
 
+/// So many flags as bits; `beyond` is what is wrong where the last byte has more.
+void pass_bits(auto& archive, auto& flags, std::uint64_t count, const char* beyond) {
+    if constexpr (Reading<decltype(archive)>) {
+        if (!archive.can_hold((count + 7) / 8, 1))
+            return;
+        flags.resize(count);
+    }
+    for (std::size_t first = 0; first < flags.size(); first += 8) {
+        std::uint8_t bits = 0;
+        const std::size_t here = std::min<std::size_t>(flags.size() - first, 8);
+        if constexpr (Reading<decltype(archive)>) {
+            archive(bits);
+            archive.require(bits >> here == 0, beyond);
+            for (std::size_t n = 0; n < here; ++n)
+                flags[first + n] = bits >> n & 1;
+        } else {
+            for (std::size_t n = 0; n < here; ++n)
+                bits = static_cast<std::uint8_t>(bits | (flags[first + n] != 0 ? 1u : 0u) << n);
+            archive(bits);
+        }
+    }
+}
+
 void fields(auto& archive, Like<MeshData> auto& mesh) {
     auto& [vertices, triangles] = mesh;
     pass_list(archive, vertices, sizeof(glm::vec3));
@@ -25,9 +48,20 @@ void fields(auto& archive, Like<MeshData> auto& mesh) {
 }
 
 void fields(auto& archive, Like<HeightData> auto& ground) {
-    auto& [corners, spacing, heights] = ground;
+    auto& [corners, spacing, heights, holes] = ground;
     archive(corners, spacing);
     pass_list(archive, heights, sizeof(float));
+    archive(holes.cells);
+    if constexpr (Reading<decltype(archive)>) {
+        const glm::ivec2 cells = holes.cells;
+        const bool none = cells == glm::ivec2(0), some = std::min(cells.x, cells.y) >= 1;
+        archive.require((none || some) && std::max(cells.x, cells.y) <= HeightMap::k_max_corners,
+                        "a mask of holes has a size that is out of range.");
+        pass_bits(archive, holes.open, some ? static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) : 0,
+                  "a mask of holes has cells beyond its last.");
+    } else {
+        pass_bits(archive, holes.open, holes.open.size(), "");
+    }
 }
 
 void fields(auto& archive, Like<VoxelData> auto& grid) {
@@ -41,23 +75,9 @@ void fields(auto& archive, Like<VoxelData> auto& grid) {
             count *= static_cast<std::uint64_t>(cells[axis]);
         }
         archive.require(count <= VoxelGrid::k_max_cells, "a voxel grid's size is out of range.");
-        if (!archive.can_hold((count + 7) / 8, 1))
-            return;
-        closed.resize(count);
-    }
-    for (std::size_t first = 0; first < closed.size(); first += 8) {
-        std::uint8_t bits = 0;
-        const std::size_t count = std::min<std::size_t>(closed.size() - first, 8);
-        if constexpr (Reading<decltype(archive)>) {
-            archive(bits);
-            archive.require(bits >> count == 0, "a voxel grid has cells beyond its last.");
-            for (std::size_t n = 0; n < count; ++n)
-                closed[first + n] = bits >> n & 1;
-        } else {
-            for (std::size_t n = 0; n < count; ++n)
-                bits = static_cast<std::uint8_t>(bits | (closed[first + n] != 0 ? 1u : 0u) << n);
-            archive(bits);
-        }
+        pass_bits(archive, closed, count, "a voxel grid has cells beyond its last.");
+    } else {
+        pass_bits(archive, closed, closed.size(), "");
     }
 }
 

@@ -105,6 +105,8 @@ Result<void> validate(const Roughness& roughness) {
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const RoughnessMap& map) {
     if (map.lengths == nullptr)
         reasons.add(path, " has no lengths: give some that HeightMap::create made.");
+    else if (!map.lengths->data().holes.open.empty())
+        reasons.add(path, ".lengths has holes, which lengths have not: give a map without.");
 }
 
 } // namespace windrow

@@ -17,12 +17,6 @@ namespace {
 
 constexpr int k_beyond = 8; // [cells] drawn beyond the box, so that not every shift draws a large body again
 
-// Whether a place [m] in its own axes is over or under a ground that ends.
-bool is_within_ends(const Ground& ground, glm::vec3 own) {
-    const glm::vec2 size = detail::extent_across(ground);
-    return own.x >= 0.0f && own.z >= 0.0f && own.x <= size.x && own.z <= size.y;
-}
-
 } // namespace
 
 Solids::Solids(const Box& box, int pitch)
@@ -236,6 +230,7 @@ void Solids::collect_ground(std::size_t number, const View& view) {
     if (!TiledGround::is_tile(view.body)) {
         if (std::get<Ground>(view.body.shape).beyond == Beyond::edge)
             ground_.add(view.body, glm::vec3(0.0f), true);
+        ground_.end();
         return;
     }
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
@@ -433,7 +428,8 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
             for (int y = -images.y; y <= images.y; ++y)
                 for (int x = -images.x; x <= images.x; ++x) {
                     const View view(body, glm::ivec3(x, y, z) * box_.cells, box_);
-                    if (!only_within || is_within_ends(std::get<Ground>(body.shape), view.own_place(centre)))
+                    const glm::vec3 own = view.own_place(centre);
+                    if (!only_within || detail::holds(std::get<Ground>(body.shape), {own.x, own.z}))
                         nearest = std::min(nearest, view.distance(centre));
                 }
     };

@@ -16,6 +16,8 @@ constexpr float k_into_column = 0.75f; // [cells] from a column's centre to its 
 
 void TiledGround::begin(float cell, float far) {
     tiles_.clear();
+    parts_.clear();
+    holes_.clear();
     free_corners_.clear();
     cell_ = cell;
     far_ = far;
@@ -25,13 +27,13 @@ void TiledGround::begin(float cell, float far) {
 void TiledGround::add(const PlacedObstacle& body, glm::vec3 between, bool drawn) {
     const Ground& ground = std::get<Ground>(body.shape);
     const detail::Extent extent = detail::extent_of(body);
-    const glm::vec2 last = detail::extent_across(ground), first = std::isfinite(last.x) ? glm::vec2(0.0f) : -last;
     tiles_.push_back({.body = &body,
                       .ground = &ground,
                       .to_own = glm::transpose(body.axes),
                       .between = between,
-                      .first = first,
-                      .last = last,
+                      .whole = detail::whole_of(ground),
+                      .parts = {},
+                      .holes = {},
                       .low = glm::vec2(extent.low.x - between.x, extent.low.z - between.z),
                       .high = glm::vec2(extent.high.x - between.x, extent.high.z - between.z),
                       .drawn = drawn});
@@ -49,6 +51,17 @@ void TiledGround::end() {
                 return a.between[axis] > b.between[axis];
         return a.body->slot < b.body->slot;
     });
+    for (Tile& tile : tiles_)
+        for (const bool hole : {false, true})
+            for (const HeightMap::Part& part : hole ? tile.ground->heights->holes() : tile.ground->heights->parts())
+                (hole ? holes_ : parts_).push_back(detail::part_of(*tile.ground, part));
+    std::span<const detail::GroundPart> parts = parts_, holes = holes_;
+    for (Tile& tile : tiles_) {
+        tile.parts = parts.first(tile.ground->heights->parts().size());
+        tile.holes = holes.first(tile.ground->heights->holes().size());
+        parts = parts.subspan(tile.parts.size());
+        holes = holes.subspan(tile.holes.size());
+    }
     find_free_corners();
 }
 
@@ -56,8 +69,8 @@ void TiledGround::end() {
 void TiledGround::find_free_corners() {
     free_corners_.clear();
     for (const Tile& tile : tiles_)
-        for (int n = 0; n < 4 && std::isfinite(tile.last.x); ++n) {
-            const glm::vec2 corner(tile.last.x * static_cast<float>(n & 1), tile.last.y * static_cast<float>(n >> 1));
+        for (int n = 0; n < 4 && std::isfinite(tile.whole.last.x); ++n) {
+            const glm::vec2 corner(tile.whole.last.x * static_cast<float>(n & 1), tile.whole.last.y * static_cast<float>(n >> 1));
             bool free = false;
             for (int m = 0; m < 4 && !free; ++m)
                 free = !holds(tile.world_place(corner + 2.0f * slack_ * glm::vec2(2 * (m & 1) - 1, 2 * (m >> 1) - 1)));
@@ -68,8 +81,10 @@ void TiledGround::find_free_corners() {
 
 float TiledGround::Tile::outside(glm::vec2 place) const {
     const glm::vec3 own = own_place(place);
-    const glm::vec2 at(own.x, own.z);
-    return glm::length(glm::max(glm::max(first - at, at - last), 0.0f));
+    float nearest = std::numeric_limits<float>::max();
+    for (const detail::GroundPart& part : parts)
+        nearest = std::min(nearest, part.outside({own.x, own.z}));
+    return nearest;
 }
 
 bool TiledGround::holds(glm::vec2 place) const {
@@ -96,20 +111,29 @@ TiledGround::Level TiledGround::at(glm::vec2 place) const {
     return found;
 }
 
-// The nearest place without ground is across a side of a tile, or at a tile's corner.
+// The nearest place without ground is across a side of a tile or of a hole, or at a tile's corner.
 float TiledGround::to_end(glm::vec2 place) const {
     float nearest = far_;
     for (const Tile& tile : tiles_) {
         if (!tile.is_near(place, far_))
             continue;
         const glm::vec3 own = tile.own_place(place);
-        const glm::vec2 at(own.x, own.z), before = glm::min(at - tile.first, tile.last - at);
-        if (std::min(before.x, before.y) >= far_)
+        const glm::vec2 at(own.x, own.z);
+        const float before = tile.whole.before_end(at);
+        bool far = before >= far_;
+        for (const detail::GroundPart& hole : tile.holes)
+            if (const float way = hole.outside(at); way < far_) {
+                far = false;
+                const glm::vec2 foot = glm::clamp(at, hole.first + 2.0f * slack_, hole.last - 2.0f * slack_);
+                if (way < nearest && !holds(tile.world_place(foot)))
+                    nearest = way;
+            }
+        if (far)
             return far_;
-        for (int axis = 0; axis < 2 && std::min(before.x, before.y) >= -slack_; ++axis)
-            for (const float side : {tile.first[axis], tile.last[axis]}) {
+        for (int axis = 0; axis < 2 && before >= -slack_; ++axis)
+            for (const float side : {tile.whole.first[axis], tile.whole.last[axis]}) {
                 glm::vec2 foot = at;
-                foot[axis] = side > tile.first[axis] ? side + 2.0f * slack_ : side - 2.0f * slack_;
+                foot[axis] = side > tile.whole.first[axis] ? side + 2.0f * slack_ : side - 2.0f * slack_;
                 if (const float way = std::abs(side - at[axis]); way < nearest && !holds(tile.world_place(foot)))
                     nearest = way;
             }
@@ -159,7 +183,8 @@ float TiledGround::crest(glm::vec2 from, glm::vec2 to) const {
             continue;
         glm::vec3 begin = tile.own_place(from), end = tile.own_place(to);
         begin.y = end.y = 0.0f;
-        highest = std::max(highest, -detail::least_rise(*tile.ground, begin, end) - tile.between.y);
+        for (const detail::GroundPart& part : tile.parts)
+            highest = std::max(highest, -detail::least_rise(*tile.ground, part, begin, end) - tile.between.y);
     }
     return highest;
 }

@@ -11,6 +11,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 namespace windrow {
@@ -63,8 +64,9 @@ class TiledGround {
         const Ground* ground;
         glm::mat3 to_own;
         glm::vec3 between;
-        glm::vec2 first, last; ///< [m] its ends along its own x and z; infinite where it goes on
-        glm::vec2 low, high;   ///< holds it
+        detail::GroundPart whole;
+        std::span<const detail::GroundPart> parts, holes; ///< of the lists of all
+        glm::vec2 low, high;                              ///< holds it
         bool drawn;
         [[nodiscard]] glm::vec3 own_place(glm::vec2 place) const {
             return to_own * (glm::vec3(place.x, 0.0f, place.y) + between);
@@ -86,6 +88,7 @@ class TiledGround {
     [[nodiscard]] float beside(glm::vec3 place) const;
 
     std::vector<Tile> tiles_;
+    std::vector<detail::GroundPart> parts_, holes_;
     std::vector<glm::vec2> free_corners_;
     float cell_ = 1.0f, far_ = 3.0f, slack_ = 1e-3f;
 };

@@ -77,9 +77,10 @@ TEST(CApiAllocation, EachFailsInTurn) {
     const float heights[4] = {0.0f, 1.0f, 2.0f, 1.0f};
     windrow_height_map* map = nullptr;
     fail_each(
-        "windrow_height_map_create",
+        "windrow_height_map_create_with_holes",
         [&] {
-            return windrow_height_map_create({2, 2}, 1.0f, heights, 4, &map);
+            const std::uint8_t open[4] = {0, 1, 0, 0};
+            return windrow_height_map_create_with_holes({2, 2}, 1.0f, heights, 4, {2, 2}, open, 4, &map);
         },
         [&] { windrow_height_map_destroy(map); });
     windrow_bytes* bytes = nullptr;

@@ -21,6 +21,17 @@ static windrow_height_map* hill(void) {
         heights[n] = 0.02f * (float)((n % 9) * (8 - n % 9)) * (float)((n / 9) * (8 - n / 9)) / 16.0f;
     corners.x = corners.y = 9;
     CHECK_FAILS(windrow_height_map_create(corners, 4.0f, heights, 80, &map), WINDROW_REJECTED, "give 81");
+    {
+        static const uint8_t open[4] = {0, 1, 0, 0}, everywhere[4] = {1, 1, 1, 1};
+        windrow_ivec2 cells;
+        cells.x = cells.y = 2;
+        CHECK_FAILS(windrow_height_map_create_with_holes(corners, 4.0f, heights, 81, cells, open, 3, &map), WINDROW_REJECTED,
+                    "give 4");
+        CHECK_FAILS(windrow_height_map_create_with_holes(corners, 4.0f, heights, 81, cells, everywhere, 4, &map), WINDROW_REJECTED,
+                    "is a hole everywhere");
+        CHECK_OK(windrow_height_map_create_with_holes(corners, 4.0f, heights, 81, cells, open, 4, &map));
+        windrow_height_map_destroy(map);
+    }
     CHECK_OK(windrow_height_map_create(corners, 4.0f, heights, 81, &map));
     {
         windrow_vec2 top;

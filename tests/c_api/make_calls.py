@@ -18,6 +18,7 @@ LENGTHS = {
     "windrow_blades_vertices": {"heights": "rows", "positions": "2 * count * rows", "normals": "2 * count * rows"},
     "windrow_tree_vertices": {"parts": "part_count", "winds": "part_count"},
     "windrow_mesh_create": {"vertices": "vertex_count", "indices": "3 * triangle_count"},
+    "windrow_height_map_create_with_holes": {"heights": "count", "open": "cell_count"},
     "windrow_spring_bands": {"bands": "4"},
     "windrow_swing_steps_make": {"blocks": "4"},
     **{f"windrow_shells_{what}_many": {name: "entries_of(skin)" for name in ("winds", "loads", "directions", "positions")}
@@ -29,8 +30,9 @@ RIGHT_COUNTS = {
     "windrow_wind_write_obstacles": "cells_of(wind)", "windrow_wind_write_pressure": "cells_of(wind)",
     "windrow_wind_set_field": "cells_of(wind)", "windrow_ground_advance": "texels_of(ground)",
     "windrow_voxels_create": "product(cells)", "windrow_height_map_create": "product(corners)",
+    "windrow_height_map_create_with_holes": "product(corners)", "windrow_height_map_create_with_holes.cell_count": "product(cells)",
 }
-COUNTS = {"count", "rows", "part_count", "vertex_count", "triangle_count"}
+COUNTS = {"count", "cell_count", "rows", "part_count", "vertex_count", "triangle_count"}
 
 
 class Maker:
@@ -90,7 +92,7 @@ class Maker:
             if parameter == "struct_size":
                 lines.append(f"const std::uint32_t struct_size = world.size_of(sizeof({parameters[0][0].removesuffix('*')}));")
             elif kind == "uint64_t" and parameter in COUNTS:
-                lines.append(f"const std::uint64_t {parameter} = world.count({RIGHT_COUNTS.get(name, '0')});")
+                lines.append(f"const std::uint64_t {parameter} = world.count({RIGHT_COUNTS.get(f'{name}.{parameter}', RIGHT_COUNTS.get(name, '0'))});")
             elif kind == "windrow_velocity_at":
                 lines.append(f"const auto {parameter} = world.velocity_at();")
             elif parameter == "bytes" and what == "void":

@@ -379,6 +379,9 @@ void World::begin() {
     windrow_height_map* map = nullptr;
     (void)windrow_height_map_create({3, 2}, 4.0f, heights, 6, &map);
     keep(map);
+    const std::uint8_t open[] = {0, 0, 0, 1, 0, 0};
+    (void)windrow_height_map_create_with_holes({3, 2}, 4.0f, heights, 6, {3, 2}, open, 6, &map);
+    keep(map);
     windrow_thread_pool* pool = nullptr;
     (void)windrow_thread_pool_create(2, &pool);
     keep(pool);

@@ -10,7 +10,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-double largest_speed(const Wind& wind, const std::function<bool(glm::dvec3)>& counts) {
+double fastest_where(const Wind& wind, const std::function<bool(glm::dvec3)>& counts) {
     double largest = 0.0;
     for_each_cell(wind.box().cells, [&](int i, int j, int k) {
         const glm::dvec3 centre = wind.origin() + (glm::dvec3(i, j, k) + 0.5) * double(wind.box().cell_size);
@@ -65,7 +65,7 @@ TEST_P(VentInADuct, BlowsNothingThroughAWall) {
             out -= double(wind.field()[wind.box().index(0, j, k)].x);
     const double given = 4.0 * std::numbers::pi * 2.0 * 2.0 * 2.0;
     EXPECT_NEAR(out, given, 0.05 * given) << "all of it leaves by the open end";
-    EXPECT_LT(largest_speed(wind, [](glm::dvec3 p) { return p.x > 15.0; }), 2e-3 * given / 36.0);
+    EXPECT_LT(fastest_where(wind, [](glm::dvec3 p) { return p.x > 15.0; }), 2e-3 * given / 36.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Orders, VentInADuct,
@@ -103,9 +103,9 @@ TEST(MotorsAmongObstacles, ABlastStopsAtAWall) {
     added(wind, PressureMotor{.position = {0.0, 2.0, 0.0}, .radius = 1.5f, .speed = 40.0f});
     (void)wind.step(0.02);
     const double inside =
-        largest_speed(wind, [](glm::dvec3 p) { return std::abs(p.x) < 3.0 && std::abs(p.z) < 3.0 && p.y < 7.0; });
+        fastest_where(wind, [](glm::dvec3 p) { return std::abs(p.x) < 3.0 && std::abs(p.z) < 3.0 && p.y < 7.0; });
     const double beside =
-        largest_speed(wind, [](glm::dvec3 p) { return std::max(std::abs(p.x), std::abs(p.z)) > 5.0 && p.y < 2.0; });
+        fastest_where(wind, [](glm::dvec3 p) { return std::max(std::abs(p.x), std::abs(p.z)) > 5.0 && p.y < 2.0; });
     EXPECT_GT(inside, 5.0);
     EXPECT_LT(beside, 0.05 * inside) << "the air over the wall moves, that behind it hardly";
 }
@@ -139,8 +139,8 @@ TEST(MotorsAmongObstacles, AVentInASealedRoomMovesTheRoomAlone) {
             for (int n = 0; n < 10; ++n)
                 EXPECT_EQ(wind.step(0.05).sealed_sources, open ? 0 : 1);
             const auto out_of_room = [](glm::dvec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 4.0; };
-            const double within = largest_speed(wind, [&](glm::dvec3 p) { return !out_of_room(p); });
-            const double beyond = largest_speed(wind, out_of_room);
+            const double within = fastest_where(wind, [&](glm::dvec3 p) { return !out_of_room(p); });
+            const double beyond = fastest_where(wind, out_of_room);
             EXPECT_GT(within, 2.0);
             EXPECT_LT(within, 40.0);
             if (open)
@@ -229,8 +229,8 @@ TEST(MotorsAmongObstacles, AFanAcrossAWallPushesBothSidesAsItReaches) {
             EXPECT_EQ(wind.field()[wind.box().index(i, j, k)], glm::vec4(0.0f));
         }
     });
-    EXPECT_GT(largest_speed(wind, [](glm::dvec3 p) { return p.x < -0.6; }), 1.0);
-    EXPECT_GT(largest_speed(wind, [](glm::dvec3 p) { return p.x > 0.6; }), 0.05);
+    EXPECT_GT(fastest_where(wind, [](glm::dvec3 p) { return p.x < -0.6; }), 1.0);
+    EXPECT_GT(fastest_where(wind, [](glm::dvec3 p) { return p.x > 0.6; }), 0.05);
 }
 
 // --- Canopy --------------------------------------------------------------------------------------------------------------------
@@ -247,7 +247,7 @@ TEST(MotorsAmongObstacles, ACanopyStandsAroundAHouse) {
     for (int n = 0; n < 60; ++n)
         ASSERT_LT(wind.step(0.1).max_speed, 12.0f);
     const auto inside = [](glm::dvec3 p) { return std::abs(p.x) < 3.0 && p.y < 4.0 && std::abs(p.z) < 3.0; };
-    EXPECT_EQ(largest_speed(wind, inside), 0.0);
+    EXPECT_EQ(fastest_where(wind, inside), 0.0);
     EXPECT_LT(wind.velocity({0.0, 1.0, 9.0}).x, 0.7f * wind.velocity({0.0, 8.0, 9.0}).x);
 }
 

@@ -193,6 +193,42 @@ TEST_F(SceneShapes, HeightsAreReadOfEachKindOfFile) {
     EXPECT_NE(heights(R"("file": "short.pgm")").error().find("has 5 levels of 6"), std::string::npos);
 }
 
+// Where a picture beside the heights is white there is no ground, whatever its size.
+TEST_F(SceneShapes, HolesAreReadOfAPicture) {
+    write("level.pgm", "P2\n5 3\n100\n" + std::string("50 50 50 50 50 50 50 50 50 50 50 50 50 50 50\n"));
+    write("mask.pgm", "P2\n8 2\n255\n0 0 255 0 0 0 0 0 100 0 200 0 0 0 0 0\n");
+    const auto scene = read(R"({"shape": {"ground": {"file": "level.pgm", "scale": [2, 8, 3], "holes": "mask.pgm"}}})");
+    ASSERT_TRUE(scene) << scene.error();
+    const auto& ground = std::get<Ground>(scene->obstacles[0].obstacle.shape);
+    EXPECT_EQ(ground.heights->data().holes.cells, glm::ivec2(8, 2));
+    const auto is_inside = [&](float x, float z) { return detail::distance_to(ground, {x, 3.5f, z}) < 0.0f; };
+    EXPECT_FALSE(is_inside(2.5f, 1.0f));
+    EXPECT_FALSE(is_inside(2.5f, 5.0f));
+    EXPECT_FALSE(is_inside(2.5f, -90.0f)) << "a hole at the edge goes on beyond it as the ground does";
+    EXPECT_TRUE(is_inside(1.5f, 1.0f) && is_inside(3.5f, 1.0f) && is_inside(0.5f, 5.0f) && is_inside(-90.0f, 3.0f));
+    // One file of heights with and without its holes, and read in two ways.
+    const auto two = read(R"({"shape": {"ground": {"file": "level.pgm", "scale": [2, 8, 3], "holes": "mask.pgm"}}},
+                             {"shape": {"ground": {"file": "level.pgm", "scale": [2, 8, 3], "nodata": 50}}},
+                             {"shape": {"ground": {"file": "level.pgm", "scale": [2, 8, 3]}}})");
+    EXPECT_NE(reason(R"({"shape": {"ground": {"file": "level.pgm", "nodata": 50}}})")
+                  .find("level.pgm has 15 of 15 heights without data, the first at row 1, column 1"),
+              std::string::npos);
+    ASSERT_FALSE(two);
+    const auto both = read(R"({"name": "a", "shape": {"ground": {"file": "level.pgm", "holes": "mask.pgm"}}},
+                              {"name": "b", "shape": {"ground": {"file": "level.pgm"}}})");
+    ASSERT_TRUE(both) << both.error();
+    EXPECT_EQ(std::get<Ground>(both->obstacles[0].obstacle.shape).heights->holes().size(), 1u);
+    EXPECT_EQ(std::get<Ground>(both->obstacles[1].obstacle.shape).heights->holes().size(), 0u);
+    write("white.pgm", "P2\n2 2\n255\n255 255 255 255\n");
+    for (const auto& [holes, sentence] : {std::pair{"missing.pgm", "missing.pgm"},
+                                          {"white.pgm", "is a hole everywhere: leave the ground out"},
+                                          {"../mask.pgm", "name a file"}})
+        EXPECT_NE(
+            reason(R"({"shape": {"ground": {"file": "level.pgm", "holes": ")" + std::string(holes) + R"("}}})").find(sentence),
+            std::string::npos)
+            << holes;
+}
+
 // Places without data, by the file's word or as surveys mark them.
 TEST_F(SceneShapes, MissingHeightsAreFilledAndReported) {
     std::string head = "ncols 6\nnrows 4\ncellsize 1\nNODATA_value -1\n", rows;

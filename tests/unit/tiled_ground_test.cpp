@@ -1,106 +1,13 @@
 // Grounds that end, and tiles of one surface (fluid/solids/tiled_ground.h).
-#include "fluid/solids/solids.h"
-#include "tests/shapes.h"
 #include "tests/tier.h"
-#include "tests/winds.h"
+#include "tests/unit/drawn_ground.h"
 
-#include <map>
 #include <random>
 
 namespace windrow {
 namespace {
 
 using namespace test;
-
-// --- What is drawn -----------------------------------------------------------------------------------------------------------
-
-using FaceName = std::tuple<int, int, int, int>;
-
-struct Drawn {
-    std::map<FaceName, float> faces{}; ///< closed fractions
-    std::set<std::uint32_t> inside{};
-    std::vector<glm::vec3> normals{};
-    std::map<std::uint32_t, float> near{};
-
-    [[nodiscard]] float closed(const FaceName& name) const {
-        const auto at = faces.find(name);
-        return at == faces.end() ? 0.0f : at->second;
-    }
-};
-
-Drawn drawn_by(const Solids& solids) {
-    Drawn drawn;
-    for (const ClosedFace& face : solids.faces())
-        drawn.faces[{face.place[0], face.place[1], face.place[2], face.axis}] = face.closed;
-    for (const Solids::InsideCell& cell : solids.inside())
-        drawn.inside.insert(cell.cell);
-    for (const Solids::GhostSource& source : solids.ghost_sources())
-        drawn.normals.push_back(source.normal);
-    solids.for_each_near([&](std::uint32_t cell, glm::ivec3, float away, std::size_t) {
-        const auto [at, is_new] = drawn.near.try_emplace(cell, away);
-        at->second = std::min(at->second, away);
-    });
-    return drawn;
-}
-
-Box box_of(Boundaries boundaries = {}) {
-    return {.cells = {32, 20, 28}, .cell_size = 1.0f, .boundaries = boundaries};
-}
-
-Drawn drawn_from(std::span<const PlacedObstacle> bodies, const Box& box = box_of()) {
-    Solids solids(box, box.cells.x);
-    solids.place(bodies);
-    return drawn_by(solids);
-}
-
-// The largest difference of a face's closed fraction, over all faces of either.
-double apart(const Drawn& a, const Drawn& b) {
-    double most = 0.0;
-    for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
-        for (const auto& [name, closed] : from->faces)
-            most = std::max(most, std::abs(double(closed) - double(to->closed(name))));
-    return most;
-}
-
-// --- Maps --------------------------------------------------------------------------------------------------------------------
-
-// Hills, and a cliff along x = 12 that a seam may cross.
-double height(double x, double z) {
-    return 6.0 + 2.5 * std::sin(0.31 * x) * std::cos(0.23 * z) + (x > 12.0 && z < 8.0 ? 3.0 : 0.0);
-}
-
-// A part of the hills, from a corner of a lattice of half metres to another; the whole is from (-64, -64).
-PlacedObstacle part_of_hills(glm::vec2 low, glm::vec2 high, Beyond beyond = Beyond::nothing, double raised = 0.0) {
-    PlacedObstacle body;
-    const glm::ivec2 corners = glm::ivec2((high - low) / 0.5f) + 1;
-    body.shape = Ground{heights_of(corners, 0.5f,
-                                   [&](double x, double z) {
-                                       return height(x + static_cast<double>(low.x), z + static_cast<double>(low.y)) + raised;
-                                   }),
-                        glm::vec3(1.0f), beyond};
-    body.position = {low.x, 0.0f, low.y};
-    return body;
-}
-
-std::vector<PlacedObstacle> quarters(glm::vec2 seam) {
-    constexpr float k_far = 64.0f;
-    return {part_of_hills({-k_far, -k_far}, seam), part_of_hills({seam.x, -k_far}, {k_far, seam.y}),
-            part_of_hills({-k_far, seam.y}, {seam.x, k_far}), part_of_hills(seam, {k_far, k_far})};
-}
-
-PlacedObstacle whole() {
-    return part_of_hills({-64.0f, -64.0f}, {64.0f, 64.0f}, Beyond::edge);
-}
-
-void turn(std::vector<PlacedObstacle>& bodies, float angle, glm::vec3 about) {
-    const glm::mat3 axes(glm::mat3_cast(glm::angleAxis(angle, glm::vec3(0.0f, 1.0f, 0.0f))));
-    for (PlacedObstacle& body : bodies) {
-        body.axes = axes;
-        body.position = about + axes * (body.position - about);
-    }
-}
-
-// --- Tests -------------------------------------------------------------------------------------------------------------------
 
 // Drawn one by one, with their closed parts added, faces across a seam are wrong by up to the whole of a face.
 TEST(TiledGround, FourTilesAreOneMapToTheBit) {
@@ -375,17 +282,6 @@ TEST(TiledGround, AThinTileIsTight) {
 }
 
 // --- Winds -------------------------------------------------------------------------------------------------------------------
-
-Obstacle standing(const PlacedObstacle& body, glm::dvec3 low) {
-    return {.position = low + glm::dvec3(body.position), .shape = body.shape};
-}
-
-Wind wind_over(std::span<const PlacedObstacle> bodies) {
-    Wind wind = made({.cells = {32, 20, 28}, .boundaries = Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 1.5f}});
-    for (const PlacedObstacle& body : bodies)
-        EXPECT_TRUE(wind.obstacles().add(standing(body, wind.origin())));
-    return wind;
-}
 
 // The faces have the same bits; a normal has the rounding of its place from its own tile's middle.
 TEST(TiledGround, AWindOverTilesIsThatOverTheMap) {

@@ -201,7 +201,7 @@ TEST(WorkGrowth, OfHeightFiles) {
     ReadLog log("scene.json", budget);
     const auto read = [&](const std::string& bytes, const char* name) {
         return [&log, bytes, name] {
-            const auto heights = read_height_file(bytes, name, ByteOrder::low_first, true, log);
+            const auto heights = read_height_file(bytes, name, {}, true, log);
             ASSERT_TRUE(heights) << heights.error();
         };
     };

@@ -134,6 +134,8 @@ BODIES = [
     ("windrow_voxels_create", c.c_int32, IVec3, P(c.c_uint8), c.c_uint64, P(c.c_void_p)),
     ("windrow_voxels_destroy", None, c.c_void_p),
     ("windrow_height_map_create", c.c_int32, IVec2, c.c_float, P(c.c_float), c.c_uint64, P(c.c_void_p)),
+    ("windrow_height_map_create_with_holes", c.c_int32, IVec2, c.c_float, P(c.c_float), c.c_uint64, IVec2, P(c.c_uint8),
+     c.c_uint64, P(c.c_void_p)),
     ("windrow_height_map_destroy", None, c.c_void_p),
     ("windrow_height_map_height", c.c_float, c.c_void_p, Vec2),
     ("windrow_height_map_normal", Vec3, c.c_void_p, Vec2),

@@ -182,6 +182,10 @@ extern "C" {
     pub fn windrow_height_map_create(
         corners: IVec2, spacing: f32, heights: *const f32, count: u64, map: *mut *mut c_void
     ) -> ResultCode;
+    pub fn windrow_height_map_create_with_holes(
+        corners: IVec2, spacing: f32, heights: *const f32, count: u64, cells: IVec2, open: *const u8, cell_count: u64,
+        map: *mut *mut c_void
+    ) -> ResultCode;
     pub fn windrow_height_map_destroy(map: *mut c_void);
     pub fn windrow_height_map_height(map: *const c_void, place: Vec2) -> f32;
     pub fn windrow_height_map_normal(map: *const c_void, place: Vec2) -> Vec3;
