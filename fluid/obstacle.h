@@ -92,8 +92,8 @@ struct VoxelShape {
         return std::tuple{
             Setting(
                 "file", &VoxelShape::grid,
-                "MagicaVoxel file (.vox) with one model, beside the scene, as it is turned in its editor. Its z axis points up; "
-                "its middle is at the position."),
+                "MagicaVoxel file (.vox) beside the scene: all models that are not hidden, as they stand in its editor. Its z "
+                "axis points up; the middle of all is at the position."),
             Setting("cell_size", &VoxelShape::cell_size, {1e-6, 1e6, "m"}, "Edge of a voxel."),
         };
     }

@@ -12,8 +12,9 @@
 
 namespace windrow {
 
-/// What a caller can do about a failure: mend its arguments, free memory and call again, make the device again.
-enum class Fault { rejected, out_of_memory, device_lost };
+/// What a caller can do about a failure: mend its arguments, free memory and call again, make the device again, free a disk or whatever
+/// else the system has no more of.
+enum class Fault { rejected, out_of_memory, device_lost, system_lacks };
 
 /// Reason of a failure. `message` is one sentence (or several, one per line) with the fix.
 /// Creation and copies do not throw: without memory for the sentence it is "out of memory", which does not allocate.

@@ -7,9 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
+#include <glm/vector_relational.hpp>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace windrow::scene {
 namespace {
@@ -18,30 +22,42 @@ using detail::message;
 
 constexpr int k_most_cells = 256; // a coordinate is a byte
 constexpr std::size_t k_head = 12;
+constexpr std::size_t k_most_voxels = std::size_t{1} << 26; // a model may stand at many places
 
-/// Turns and mirrors along the axes: component n of the result is sign[n] times component from[n].
-struct Turn {
+/// Turns and mirrors along the axes, and a way: component n of the result is sign[n] times component from[n], and then by[n] more.
+struct Pose {
     std::array<int, 3> from{0, 1, 2}, sign{1, 1, 1};
+    std::array<std::int64_t, 3> by{0, 0, 0};
 
-    [[nodiscard]] bool is_whole() const {
+    [[nodiscard]] bool turns_whole() const {
         return std::all_of(from.begin(), from.end(), [](int axis) { return axis >= 0 && axis < 3; }) && from[0] != from[1] &&
                from[1] != from[2] && from[0] != from[2];
     }
+    /// Of a cell, by its low corner: a mirrored cell has it where its high corner was.
+    [[nodiscard]] std::array<std::int64_t, 3> of(const std::array<std::int64_t, 3>& cell) const {
+        std::array<std::int64_t, 3> to;
+        for (std::size_t n = 0; n < 3; ++n) {
+            const std::int64_t at = cell[static_cast<std::size_t>(from[n])];
+            to[n] = (sign[n] > 0 ? at : -1 - at) + by[n];
+        }
+        return to;
+    }
     /// First `inner`, then this.
-    [[nodiscard]] Turn after(const Turn& inner) const {
-        Turn both;
+    [[nodiscard]] Pose after(const Pose& inner) const {
+        Pose both;
         for (std::size_t n = 0; n < 3; ++n) {
             const auto axis = static_cast<std::size_t>(from[n]);
             both.from[n] = inner.from[axis];
             both.sign[n] = sign[n] * inner.sign[axis];
+            both.by[n] = sign[n] * inner.by[axis] + by[n];
         }
         return both;
     }
 };
 
 /// A byte of two indices, of the first and the second row's entry that is not 0, and three signs.
-Turn turn_of(int bits) {
-    Turn turn;
+Pose turn_of(int bits) {
+    Pose turn;
     turn.from = {bits & 3, bits >> 2 & 3, 3 - (bits & 3) - (bits >> 2 & 3)};
     for (int row = 0; row < 3; ++row)
         turn.sign[static_cast<std::size_t>(row)] = (bits >> (4 + row) & 1) != 0 ? -1 : 1;
@@ -57,11 +73,12 @@ class VoxReader {
             return Error{
                 message(name_, ": is no MagicaVoxel file: it does not begin with \"VOX \" and a chunk MAIN; export one.")};
         read_chunks();
-        if (fault_.empty() && models_ != 1)
-            fault_ = models_ == 0 ? message(name_, ": has no model: give a file with one.")
-                                  : message(name_, ": has ", models_, " models: merge them, or save each in a file of its own.");
+        if (fault_.empty() && models_.empty())
+            fault_ = message(name_, ": has no model: give a file with one.");
         if (fault_.empty())
-            turn();
+            place_models();
+        if (fault_.empty())
+            fill();
         if (!fault_.empty())
             return Error{fault_};
         return std::move(data_);
@@ -94,44 +111,39 @@ class VoxReader {
     void read_size(std::size_t at, std::size_t size) {
         if (size < 12)
             return fail(at, "the chunk SIZE has ", size, " bytes: 12 are needed; export the file again.");
+        Model& model = models_.emplace_back();
         for (int axis = 0; axis < 3; ++axis) {
             const std::uint32_t cells = number(at + 4 * static_cast<std::size_t>(axis));
             if (cells < 1 || cells > k_most_cells)
                 return fail(at, "a model has ", cells, " cells along an axis: give 1 to ", k_most_cells, ".");
-            size_[axis] = static_cast<int>(cells);
+            model.size[axis] = static_cast<int>(cells);
         }
-        ++models_;
     }
 
     void read_cells(std::size_t at, std::size_t size) {
-        if (models_ == 0)
+        if (models_.empty())
             return fail(at, "the chunk XYZI has no chunk SIZE before it; export the file again.");
         if (size < 4 || number(at) > (size - 4) / 4)
             return fail(at, "the chunk XYZI has ", size, " bytes, too few for its cells; export the file again.");
-        if (models_ > 1) // only counted
-            return;
-        if (has_cells_)
+        Model& model = models_.back();
+        if (model.first != 0)
             return fail(at, "the model has a second chunk XYZI; export the file again.");
-        has_cells_ = true;
-        if (number(at) == 0)
-            return fail(at, "the model has no voxel: fill one at least.");
-        model_.assign(static_cast<std::size_t>(size_.x) * size_.y * size_.z, 0);
-        model_size_ = size_;
-        for (std::size_t n = 0, count = number(at); n < count; ++n) {
-            const std::byte* const cell = &bytes_[at + 4 + 4 * n];
-            const glm::ivec3 place(std::to_integer<int>(cell[0]), std::to_integer<int>(cell[1]), std::to_integer<int>(cell[2]));
-            if (place.x >= size_.x || place.y >= size_.y || place.z >= size_.z)
-                return fail(at + 4 + 4 * n, "the cell ", place, " is outside of the model of ", size_,
+        model.first = at + 4;
+        model.count = number(at);
+        for (std::size_t n = 0; n < model.count; ++n)
+            if (const glm::ivec3 place = cell_of(model, n); glm::any(glm::greaterThanEqual(place, model.size)))
+                return fail(model.first + 4 * n, "the cell ", place, " is outside of the model of ", model.size,
                             "; export the file again.");
-            model_[(static_cast<std::size_t>(place.z) * size_.y + place.y) * size_.x + place.x] = 1;
-        }
     }
 
     // --- Nodes of the editor's scene -------------------------------------------------------------------------------------
 
     struct Node {
-        Turn turn{};
+        Pose pose{};
+        bool hidden = false;
         std::optional<std::uint32_t> parent{};
+        std::optional<std::uint32_t> model{}; ///< of a shape
+        bool is_placed = false;               ///< from here on pose and hidden are those in the scene
     };
 
     // Takes a number of a node off its content; nothing, with a fault, beyond its end.
@@ -154,95 +166,196 @@ class VoxReader {
         at += *length;
         return std::string_view(reinterpret_cast<const char*>(bytes_.data()) + at - *length, *length);
     }
-    // Pairs of a key and a value. The turn that they hold is that of `node`.
-    void take_pairs(std::size_t& at, std::size_t end, Node* node) {
+    // Pairs of a key and a value: a frame's turn (_r) and way (_t), a node's own _hidden.
+    void take_pairs(std::size_t& at, std::size_t end, Node& node) {
         const auto count = take(at, end);
         for (std::uint32_t n = 0; count && n < *count && fault_.empty(); ++n) {
             const auto key = take_text(at, end);
             const auto value = key ? take_text(at, end) : std::nullopt;
-            if (!value || node == nullptr || *key != "_r")
-                continue;
-            int bits = -1;
-            const auto [read, trouble] = std::from_chars(value->data(), value->data() + value->size(), bits);
-            const Turn turn = turn_of(bits & 127);
-            if (trouble != std::errc() || read != value->data() + value->size() || bits < 0 || bits > 127 || !turn.is_whole())
-                return fail(at, "a node's _r is no turn along the axes; export the file again.");
-            node->turn = turn;
+            if (!value)
+                return;
+            if (*key == "_hidden")
+                node.hidden = *value == "1";
+            if (*key == "_t")
+                take_way(at, *value, node.pose);
+            if (*key == "_r") {
+                int bits = -1;
+                const auto [read, trouble] = std::from_chars(value->data(), value->data() + value->size(), bits);
+                const Pose turn = turn_of(bits & 127);
+                if (trouble != std::errc() || read != value->data() + value->size() || bits < 0 || bits > 127 ||
+                    !turn.turns_whole())
+                    return fail(at, "a node's _r is no turn along the axes; export the file again.");
+                node.pose.from = turn.from;
+                node.pose.sign = turn.sign;
+            }
+        }
+    }
+    void take_way(std::size_t at, std::string_view words, Pose& pose) {
+        constexpr int k_farthest = 1'000'000; // thousands of these in a row are far from the ends of 64 bits
+        const char* from = words.data();
+        const char* const end = from + words.size();
+        for (std::int64_t& by : pose.by) {
+            while (from < end && *from == ' ')
+                ++from;
+            int cells = 0;
+            const auto [read, trouble] = std::from_chars(from, end, cells);
+            if (trouble != std::errc() || std::abs(cells) > k_farthest)
+                return fail(at, "a node's _t is not three whole numbers of cells within +-", k_farthest,
+                            "; export the file again.");
+            by = cells;
+            from = read;
         }
     }
 
     void read_node(std::size_t at, std::size_t end) {
         const std::string_view kind = letters(at - k_head);
         const auto name = take(at, end);
-        take_pairs(at, end, nullptr);
-        if (!name || !fault_.empty())
+        if (!name)
             return;
         Node& node = nodes_[*name];
+        take_pairs(at, end, node);
         const auto own = [&](std::optional<std::uint32_t> child) {
             if (!child)
                 return;
             Node& below = nodes_[*child];
-            places_ += below.parent ? 1 : 0;
+            if (below.parent)
+                fail(at, "the node ", *child, " is in two groups; export the file again.");
             below.parent = name;
         };
+        if (!fault_.empty())
+            return;
         if (kind == "nTRN") {
             own(take(at, end));
             (void)take(at, end); // reserved
             (void)take(at, end); // layer
             const auto frames = take(at, end);
             if (frames && *frames > 0 && fault_.empty())
-                take_pairs(at, end, &node); // as it is at the first frame
-        } else if (kind == "nGRP") {
-            const auto count = take(at, end);
+                take_pairs(at, end, node); // as it is at the first frame
+        } else if (const auto count = take(at, end); kind == "nGRP") {
             for (std::uint32_t n = 0; count && n < *count && fault_.empty(); ++n)
                 own(take(at, end));
-        } else {
-            ++places_;
-            shape_ = *name;
+        } else if (count && *count > 0) {
+            node.model = take(at, end); // the first of an animation
         }
     }
 
-    void turn() {
-        if (places_ > 1) {
-            fault_ = message(name_, ": its model stands at ", places_, " places: merge them, or save it once.");
-            return;
-        }
-        Turn turn;
-        std::optional<std::uint32_t> at = shape_;
-        for (std::size_t n = 0; at && n < nodes_.size(); ++n) {
-            const Node& node = nodes_[*at];
-            turn = node.turn.after(turn);
-            at = node.parent;
-        }
-        if (at) {
-            fault_ = message(name_, ": its nodes go in a circle; export the file again.");
-            return;
-        }
-        const auto count = [&](std::size_t axis) { return model_size_[turn.from[axis]]; };
-        data_.cells = {count(0), count(2), count(1)};
-        data_.closed.assign(model_.size(), 0);
-        glm::ivec3 place(0);
-        for (const std::uint8_t closed : model_) {
-            glm::ivec3 to;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const int from = place[turn.from[axis]];
-                to[static_cast<int>(axis)] = turn.sign[axis] > 0 ? from : count(axis) - 1 - from;
+    // --- The cells -------------------------------------------------------------------------------------------------------
+
+    struct Model {
+        glm::ivec3 size{0};
+        std::size_t first = 0, count = 0; ///< its cells in the file
+    };
+    struct Placement {
+        const Model* model;
+        Pose pose;
+    };
+
+    [[nodiscard]] glm::ivec3 cell_of(const Model& model, std::size_t n) const {
+        const std::byte* const cell = &bytes_[model.first + 4 * n];
+        return {std::to_integer<int>(cell[0]), std::to_integer<int>(cell[1]), std::to_integer<int>(cell[2])};
+    }
+
+    // A model turns about its middle, which is rounded down to a cell's low corner.
+    void add(const Model& model, const Pose& pose) {
+        Pose middle;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            middle.by[axis] = -(model.size[static_cast<int>(axis)] / 2);
+        placements_.push_back({&model, pose.after(middle)});
+    }
+
+    void place_models() {
+        const bool has_shapes =
+            std::any_of(nodes_.begin(), nodes_.end(), [](const auto& node) { return node.second.model.has_value(); });
+        if (!has_shapes && models_.size() > 1)
+            fault_ = message(name_, ": has ", models_.size(),
+                             " models and no scene that places them: save each in a file of its own.");
+        if (!has_shapes)
+            return add(models_.front(), {});
+        std::vector<Node*> below;
+        for (auto& [name, shape] : nodes_) {
+            if (!shape.model)
+                continue;
+            if (*shape.model >= models_.size()) {
+                fault_ =
+                    message(name_, ": a shape names model ", *shape.model, " of ", models_.size(), "; export the file again.");
+                return;
             }
-            const glm::ivec3 own(to.x, to.z, count(1) - 1 - to.y);
-            data_.closed[(static_cast<std::size_t>(own.z) * data_.cells.y + own.y) * data_.cells.x + own.x] = closed;
-            for (int axis = 0; axis < 3 && ++place[axis] == model_size_[axis]; ++axis)
-                place[axis] = 0;
+            below.clear();
+            for (Node* node = &shape; !node->is_placed; node = &nodes_[*node->parent]) {
+                below.push_back(node);
+                if (!node->parent)
+                    break;
+                if (below.size() > nodes_.size()) {
+                    fault_ = message(name_, ": its nodes go in a circle; export the file again.");
+                    return;
+                }
+            }
+            for (; !below.empty(); below.pop_back()) {
+                Node& node = *below.back();
+                if (node.parent) {
+                    const Node& above = nodes_[*node.parent];
+                    node.pose = above.pose.after(node.pose);
+                    node.hidden = node.hidden || above.hidden;
+                }
+                node.is_placed = true;
+            }
+            if (!shape.hidden)
+                add(models_[*shape.model], shape.pose);
         }
+        if (placements_.empty())
+            fault_ = message(name_, ": all of its models are hidden: show one.");
+    }
+
+    // The union of all placements, so that y points up.
+    void fill() {
+        constexpr std::int64_t k_far = std::numeric_limits<std::int64_t>::max();
+        std::array<std::int64_t, 3> low{k_far, k_far, k_far}, high{-k_far, -k_far, -k_far};
+        std::size_t closed = 0;
+        for (const Placement& placement : placements_) {
+            const glm::ivec3 size = placement.model->size;
+            for (const auto& corner : {placement.pose.of({0, 0, 0}), placement.pose.of({size.x - 1, size.y - 1, size.z - 1})})
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    low[axis] = std::min(low[axis], corner[axis]);
+                    high[axis] = std::max(high[axis], corner[axis] + 1);
+                }
+            closed += placement.model->count;
+        }
+        if (closed == 0) {
+            fault_ = message(name_, ": its model has no voxel: fill one at least.");
+            return;
+        }
+        std::uint64_t all = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int64_t cells = high[axis] - low[axis];
+            if (cells > VoxelGrid::k_max_axis_cells || (all *= static_cast<std::uint64_t>(cells)) > VoxelGrid::k_max_cells) {
+                fault_ =
+                    message(name_, ": its models reach over more than ", VoxelGrid::k_max_axis_cells, " cells along an axis, or ",
+                            VoxelGrid::k_max_cells, " in all: save a part of the scene in a file of its own.");
+                return;
+            }
+        }
+        if (closed > k_most_voxels) {
+            fault_ =
+                message(name_, ": its models have ", closed, " voxels at all their places: give at most ", k_most_voxels, ".");
+            return;
+        }
+        data_.cells = {static_cast<int>(high[0] - low[0]), static_cast<int>(high[2] - low[2]),
+                       static_cast<int>(high[1] - low[1])};
+        data_.closed.assign(all, 0);
+        for (const Placement& placement : placements_)
+            for (std::size_t n = 0; n < placement.model->count; ++n) {
+                const glm::ivec3 cell = cell_of(*placement.model, n);
+                const auto at = placement.pose.of({cell.x, cell.y, cell.z});
+                const std::int64_t x = at[0] - low[0], y = at[2] - low[2], z = high[1] - 1 - at[1];
+                data_.closed[static_cast<std::size_t>((z * data_.cells.y + y) * data_.cells.x + x)] = 1;
+            }
     }
 
     std::span<const std::byte> bytes_;
     const std::string& name_;
-    glm::ivec3 size_{0}, model_size_{0};
-    int models_ = 0, places_ = 0;
-    bool has_cells_ = false;
-    std::vector<std::uint8_t> model_; ///< as the file has it
+    std::vector<Model> models_;
+    std::vector<Placement> placements_;
     std::map<std::uint32_t, Node> nodes_;
-    std::optional<std::uint32_t> shape_{};
     VoxelData data_;
     std::string fault_;
 };

@@ -4,9 +4,9 @@
 //     MAIN   all others are within it
 //     SIZE   i32 x, y, z: cells of a model; z points up
 //     XYZI   i32 count, then 4 bytes a cell: x, y, z, colour from 1
-//     nTRN, nGRP, nSHP   nodes of the editor's scene: how the model is turned and mirrored there
+//     nTRN, nGRP, nSHP   nodes of the editor's scene: how models are turned, mirrored and placed there
 //
-// Colours and materials are left out, and the model's place in the editor's scene: an obstacle has its own.
+// Colours and materials are left out, and where the whole stands in the editor's scene: an obstacle has a place of its own.
 #pragma once
 
 #include "fluid/shapes/voxel_grid.h"
@@ -16,9 +16,10 @@
 
 namespace windrow::scene {
 
-/// The model's cells as they are turned in the editor's scene, then so that y points up: its x stays, its z becomes y, its y becomes
-/// -z. Rejects, with `name` and the byte: what is no such file, chunks and nodes longer than the file, sizes beyond 256, cells outside
-/// of the model, and no model or several, or one that stands at several places.
+/// The cells of all models that are not hidden, turned and placed as in the editor's scene, in the box that holds the models; then so
+/// that y points up: x stays, z becomes y, y becomes -z. Of an animation the first frame. Rejects, with `name` and the byte: what is no
+/// such file, chunks and nodes longer than the file, sizes beyond 256, cells outside of their model, no model, models that no scene
+/// places, and scenes larger than a VoxelGrid.
 [[nodiscard]] Result<VoxelData> read_vox(std::string_view bytes, const std::string& name);
 
 } // namespace windrow::scene

@@ -50,6 +50,7 @@ windrow_result fail(const Error& error) noexcept {
     case Fault::device_lost:
         return fail(WINDROW_DEVICE_LOST, error.message);
     case Fault::rejected:
+    case Fault::system_lacks:
         break;
     }
     const bool lost = error.message == Error::k_out_of_memory; // the sentence itself found no memory

@@ -103,7 +103,8 @@ Result<void> write_file(std::string_view what, const std::filesystem::path& file
     if (out.error() == 0 && out.sputn(bytes.data(), count) == count && out.publish())
         return {};
     return Error{message(what, " ", file.string(), " cannot be written (", reason_of(out.error()),
-                         "); name a file in a folder that you may write to, on a disk with room.")};
+                         "); name a file in a folder that you may write to, on a disk with room."),
+                 machine_lacks(out.error()) ? Fault::system_lacks : Fault::rejected};
 }
 
 std::string reason_of(int error) {

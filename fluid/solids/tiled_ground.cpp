@@ -150,8 +150,10 @@ float TiledGround::beside(glm::vec3 place) const {
     for (const Tile& tile : tiles_) {
         if (!tile.is_near(level, nearest))
             continue;
-        const float way = tile.outside(level),
-                    height = place.y + tile.between.y - detail::height_at(*tile.ground, tile.own_place(level));
+        const float way = tile.outside(level);
+        if (way >= nearest)
+            continue;
+        const float height = place.y + tile.between.y - detail::height_at(*tile.ground, tile.own_place(level));
         nearest = std::min(nearest, height > 0.0f ? glm::length(glm::vec2(way, height)) : way);
     }
     return nearest;

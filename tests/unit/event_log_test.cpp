@@ -311,7 +311,7 @@ TEST(EventLogBytes, ForgedOnesDoNoHarm) {
     const Bytes bytes = *log.to_bytes();
     Random random(42);
     int readable = 0;
-    const int forgeries = sampled(200, 30);
+    const int forgeries = sampled(200, k_sanitized ? 10 : 30);
     for (int n = 0; n < forgeries; ++n) {
         Bytes forged(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(detail::k_checksum_bytes));
         forged[static_cast<std::size_t>(random.integer(detail::k_header_bytes, static_cast<int>(forged.size()) - 1))] =

@@ -124,7 +124,7 @@ TEST(GroundHoles, CloseWhatTheyLeaveOfEachFace) {
 // that moves has what a drawing from the start has.
 TEST(GroundHoles, AreTheSameHoweverTheyAreDrawn) {
     double worst = 0.0;
-    for (int story = 0; story < sampled(60, 8); ++story) {
+    for (int story = 0; story < sampled(60, k_sanitized ? 2 : 8); ++story) {
         std::mt19937 chance(static_cast<unsigned>(story));
         const auto whole_number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(chance); };
         PlacedObstacle body = whole();

@@ -374,7 +374,7 @@ TEST(SnapshotWithObstacles, ForgedOnesDoNoHarm) {
     const auto layout = detail::load_number<std::uint32_t>(bytes.data() + detail::k_letters);
     Random random(8);
     int readable = 0;
-    const int forgeries = sampled(3000, 300);
+    const int forgeries = sampled(3000, k_sanitized ? 150 : 300);
     for (int n = 0; n < forgeries; ++n) {
         Bytes forged(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(detail::k_checksum_bytes));
         for (int k = 0; k < 1 + n % 3; ++k)

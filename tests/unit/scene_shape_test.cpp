@@ -2,8 +2,8 @@
 #include "fluid/core/bytes.h"
 #include "scene/obj_file.h"
 #include "scene/scene_reader.h"
-#include "scene/vox_file.h"
 #include "tests/own_folder.h"
+#include "tests/unit/vox_parts.h"
 #include "tests/winds.h"
 
 #include <numbers>
@@ -11,47 +11,10 @@
 namespace windrow::scene {
 namespace {
 
+using test::vox;
+
 constexpr const char* k_box = "# a box\no box\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
                               "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
-
-/// A .vox file of one model. `turns`: of the nodes over it, the outermost first, each as the file writes it; `shapes`: nodes that show it.
-std::string vox(glm::ivec3 size, const std::vector<glm::ivec3>& cells, int models = 1, const std::vector<std::string>& turns = {},
-                int shapes = 1) {
-    std::string chunks;
-    const auto number = [](int value) {
-        std::string bytes(4, '\0');
-        for (std::size_t n = 0; n < 4; ++n)
-            bytes[n] = static_cast<char>(value >> (8 * n));
-        return bytes;
-    };
-    const auto chunk = [&](const char* name, const std::string& content) {
-        return name + number(static_cast<int>(content.size())) + number(0) + content;
-    };
-    for (int n = 0; n < models; ++n) {
-        std::string content = number(static_cast<int>(cells.size()));
-        for (const glm::ivec3 cell : cells)
-            for (const int part : {cell.x, cell.y, cell.z, 79})
-                content += static_cast<char>(part);
-        chunks += chunk("SIZE", number(size.x) + number(size.y) + number(size.z)) + chunk("XYZI", content);
-    }
-    const auto text = [&](const std::string& words) { return number(static_cast<int>(words.size())) + words; };
-    const int depth = static_cast<int>(turns.size());
-    for (int n = 0; n < depth; ++n) { // a node, its child, reserved, layer, one frame of two pairs
-        const std::string& turned = turns[static_cast<std::size_t>(n)];
-        chunks += chunk("nTRN", number(n) + number(0) + number(n + 1) + number(-1) + number(0) + number(1) + number(2) +
-                                    text("_t") + text("0 0 2") + text("_r") + text(turned));
-    }
-    if (depth > 0) { // a group of the shapes
-        std::string group = number(depth) + number(1) + text("_name") + text("all") + number(shapes);
-        for (int n = 0; n < shapes; ++n)
-            group += number(depth + 1 + n);
-        chunks += chunk("nGRP", group);
-        for (int n = 0; n < shapes; ++n)
-            chunks += chunk("nSHP", number(depth + 1 + n) + number(0) + number(1) + number(0) + number(0));
-    }
-    chunks += chunk("RGBA", std::string(1024, 'c'));
-    return "VOX " + number(150) + "MAIN" + number(0) + number(static_cast<int>(chunks.size())) + chunks;
-}
 
 class SceneShapes : public test::FolderTest {
   protected:
@@ -80,38 +43,6 @@ TEST_F(SceneShapes, AMeshIsReadOnceAndShared) {
     EXPECT_EQ(first.mesh->high(), glm::vec3(1.0f, 2.0f, 1.0f));
     EXPECT_NEAR(first.mesh->distance_to({0.0f, 3.0f, 0.0f}), 1.0f, 1e-6f);
     EXPECT_NEAR(first.mesh->distance_to({0.0f, 0.5f, 0.0f}), -0.5f, 1e-6f);
-}
-
-// A quarter turn about its z axis, x to y and y to -x, is row 0 from y with a minus and row 1 from x: 1 + (0 << 2) + 16. After a mirror of
-// x (20: x, y, z with the first sign) the cell at x = 2 is turned as one at x = 0.
-TEST_F(SceneShapes, AModelOfVoxelsIsTurnedAsInItsEditor) {
-    const auto only_cell = [&](const std::vector<std::string>& turns) {
-        const auto data = read_vox(vox({3, 2, 4}, {{2, 1, 3}}, 1, turns), "tower.vox");
-        EXPECT_TRUE(data) << data.error();
-        glm::ivec3 found(-1);
-        for (int k = 0, n = 0; k < data->cells.z; ++k)
-            for (int j = 0; j < data->cells.y; ++j)
-                for (int i = 0; i < data->cells.x; ++i, ++n)
-                    if (data->closed[static_cast<std::size_t>(n)] != 0)
-                        found = {i, j, k};
-        return std::pair(data->cells, found);
-    };
-    const std::string quarter = "17", mirror = "20", none = "4";
-    EXPECT_EQ(only_cell({none}), only_cell({}));
-    EXPECT_EQ(only_cell({}), std::pair(glm::ivec3(3, 4, 2), glm::ivec3(2, 3, 0)));
-    // The editor's (2, 1, 3) of 3 x 2 x 4 becomes (0, 2, 3) of 2 x 3 x 4.
-    EXPECT_EQ(only_cell({quarter}), std::pair(glm::ivec3(2, 4, 3), glm::ivec3(0, 3, 0)));
-    EXPECT_EQ(only_cell({quarter, mirror}), std::pair(glm::ivec3(2, 4, 3), glm::ivec3(0, 3, 2)));
-    EXPECT_EQ(only_cell({mirror, quarter}), std::pair(glm::ivec3(2, 4, 3), glm::ivec3(1, 3, 0)));
-    const auto fault = [&](const std::string& bytes) { return read_vox(bytes, "tower.vox").error(); };
-    const std::string two = vox({3, 2, 4}, {{2, 1, 3}}, 1, {none}, 2), odd = vox({3, 2, 4}, {{2, 1, 3}}, 1, {"0"}),
-                      words = vox({3, 2, 4}, {{2, 1, 3}}, 1, {"east"});
-    EXPECT_EQ(fault(two), "tower.vox: its model stands at 2 places: merge them, or save it once.");
-    for (const std::string& bad : {odd, words})
-        EXPECT_NE(fault(bad).find("_r is no turn along the axes"), std::string::npos) << fault(bad);
-    std::string cut = vox({3, 2, 4}, {{2, 1, 3}}, 1, {none});
-    cut[cut.find("_t") - 4] = 'z';
-    EXPECT_NE(fault(cut).find("a node's text ends beyond its chunk"), std::string::npos) << fault(cut);
 }
 
 TEST_F(SceneShapes, AModelOfVoxelsIsTurnedWithItsTopUp) {
@@ -306,10 +237,10 @@ TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
         {voxels(""), "$.obstacles[0].shape.voxels.file is missing: name a MagicaVoxel file in the scene's folder."},
         {voxels(R"("file": "house.obj")"), "house.obj: is no MagicaVoxel file: it does not begin with \"VOX \""},
         {voxels(R"("file": "cut.vox")"), "cut.vox: byte 44: a chunk ends beyond the file: the file is truncated; copy it again."},
-        {voxels(R"("file": "two.vox")"), "two.vox: has 2 models: merge them, or save each in a file of its own."},
+        {voxels(R"("file": "two.vox")"), "two.vox: has 2 models and no scene that places them: save each in a file of its own."},
         {voxels(R"("file": "beyond.vox")"), "beyond.vox: byte 60: the cell (0, 2, 0) is outside of the model of (3, 2, 4)"},
         {voxels(R"("file": "large.vox")"), "large.vox: byte 32: a model has 300 cells along an axis: give 1 to 256."},
-        {voxels(R"("file": "air.vox")"), "air.vox: byte 56: the model has no voxel: fill one at least."},
+        {voxels(R"("file": "air.vox")"), "air.vox: its model has no voxel: fill one at least."},
         {voxels(R"("file": "tower.vox", "cell_size": -1)"), "$.obstacles[0].shape.voxels.cell_size is -1 m"},
         {mesh(R"("file": "open.obj")") + "," + mesh(R"("file": "open.obj")"),
          "$.obstacles[1].shape.mesh.file names a file that cannot be used: see above."},

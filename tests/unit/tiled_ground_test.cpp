@@ -219,7 +219,7 @@ TEST(TiledGround, ABoxThatMovesDrawsWhatComesIntoReach) {
 // Tiles of any size and turn, down to a third of a cell, with gaps and overlaps, in boxes that move or are periodic: what is kept and
 // drawn in part equals what is drawn at once.
 TEST(TiledGround, AnyTilesThatComeAndGoLeaveWhatADrawingFromTheStartHas) {
-    for (int story = 0; story < sampled(300, 40); ++story) {
+    for (int story = 0; story < sampled(300, k_sanitized ? 5 : 40); ++story) {
         std::mt19937 chance(static_cast<unsigned>(story));
         const auto part = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(chance); };
         const auto whole_number = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(chance); };

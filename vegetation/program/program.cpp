@@ -38,6 +38,7 @@ using namespace windrow::vegetation;
 namespace {
 
 using windrow::Error;
+using windrow::Fault;
 using windrow::Result;
 
 constexpr std::size_t k_max_on_sheet = 24;
@@ -56,6 +57,10 @@ struct Options {
     bool exr = false;
     program::SceneRendererSettings scene_renderer{};
 };
+
+int code_of(const Error& error) {
+    return error.fault == Fault::rejected ? k_wrong_use : k_machine;
+}
 
 /// What a run leaves behind for its last words.
 struct Kept {
@@ -116,7 +121,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
         if (frame < first)
             continue;
         if (auto written = keep(options, scene_renderer, frame); !written) {
-            code = k_wrong_use;
+            code = code_of(written.failure());
             return written.failure();
         }
         kept.stages.add(frame, scene_renderer.times());
@@ -199,10 +204,10 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     film.shots.push_back({.folder = options.folder, .first = kept->first, .count = kept->last + 1 - kept->first});
     if (kept->sheet.size() > 1)
         if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
-            return complain(written.error(), 2);
+            return complain(written.error(), code_of(written.failure()));
     if (!kept->sheet.empty() && !options.jpeg.empty())
         if (const auto written = write_small(kept->sheet.front(), options.jpeg / (file.stem().string() + ".jpg")); !written)
-            return complain(written.error(), 2);
+            return complain(written.error(), code_of(written.failure()));
     if (!kept->sheet.empty())
         firsts.push_back(kept->sheet.front());
     if (kept->before > 0)
@@ -210,7 +215,7 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     if (kept->pictures == 0)
         return 0;
     if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
-        return complain(written.error(), 2);
+        return complain(written.error(), code_of(written.failure()));
     std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*scene_renderer)->device().c_str(),
                 static_cast<int>(kept->pictures), (*scene_renderer)->size().x, (*scene_renderer)->size().y, kept->seconds,
                 options.folder.string().c_str());
@@ -257,7 +262,7 @@ int run_all(const Options& options) {
     }
     if (!options.film.empty()) {
         if (const auto written = program::write_film(film, k_pictures); !written)
-            return complain(written.error(), k_wrong_use);
+            return complain(written.error(), code_of(written.failure()));
         std::int64_t frames = 0;
         for (const program::Shot& shot : film.shots)
             frames += shot.count;
@@ -269,7 +274,7 @@ int run_all(const Options& options) {
         return 0;
     // Four of them are as wide as a page shows.
     const auto written = write_sheet(firsts, 343, options.sheet);
-    return written ? 0 : complain(written.error(), 2);
+    return written ? 0 : complain(written.error(), code_of(written.failure()));
 }
 
 /// As CLI::Range, which takes NaN for a number of any range.

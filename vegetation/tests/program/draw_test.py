@@ -16,6 +16,7 @@ import math
 import os
 import pathlib
 import re
+import resource
 import shutil
 import struct
 import subprocess
@@ -86,13 +87,17 @@ class UnderTheLayer(unittest.TestCase):
         (self.folder / "vk_layer_settings.txt").write_text(LAYER_SETTINGS)
         (self.folder / "small.json").write_text('{"duration": 1, "air": {"cells": [8, 8, 8]}, "picture": {"size": [64, 36], "warm_up": 0}}')
 
-    def run_program(self, *arguments, **variables):
+    def run_program(self, *arguments, most_bytes=None, **variables):
+        """`most_bytes`: of a file that the system takes; beyond it a write fails as on a full disk."""
         # References are the software device's: a GPU rounds otherwise. Whoever names a driver has it.
         chosen = {} if {"VK_ICD_FILENAMES", "VK_DRIVER_FILES"} & os.environ.keys() else {"VK_LOADER_DRIVERS_SELECT": "*lvp*"}
         environment = {**chosen, **os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder),
                        **variables}
+        def limit():
+            if most_bytes is not None: # Python ignores the signal of a file that is too large, and so does its child
+                resource.setrlimit(resource.RLIMIT_FSIZE, (most_bytes, most_bytes))
         return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, check=False)
+                              stderr=subprocess.STDOUT, text=True, check=False, preexec_fn=limit, restore_signals=most_bytes is None)
 
 
 class OneScene(UnderTheLayer):
@@ -172,6 +177,12 @@ class AllScenes(UnderTheLayer):
         run = self.run_program("small.json", "--frames", 1, VK_DRIVER_FILES="/none", VK_ICD_FILENAMES="/none")
         self.assertEqual(run.returncode, 3, run.stdout)
         self.assertRegex(run.stdout, r"\Awindrow-draw: small.json: no Vulkan driver is installed: [^\n]+\n\Z")
+
+    def test_a_file_that_does_not_fit_is_the_machines_fault(self):
+        run = self.run_program("small.json", "--frames", 1, "--out", "out", most_bytes=512)
+        self.assertEqual(run.returncode, 3, run.stdout)
+        self.assertRegex(run.stdout, r"windrow-draw: picture out/frame_0000.png cannot be written \(File too large\); [^\n]+\n\Z")
+        self.assertEqual([file.name for file in (self.folder / "out").iterdir()], [])
 
     def test_a_whole_scene_takes_the_place_of_a_longer_one(self):
         """A part of a scene leaves what is there."""
