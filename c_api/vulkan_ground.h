@@ -22,6 +22,13 @@ WINDROW_C_API windrow_result windrow_vulkan_ground_follow(windrow_vulkan_ground*
 WINDROW_C_API windrow_result windrow_vulkan_ground_shift_origin(windrow_vulkan_ground* ground, windrow_dvec3 offset);
 WINDROW_C_API windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground* ground, void* commands,
                                                           const windrow_ground_step* step, windrow_wind_leans leans);
+/* Records a copy of all of it as the last record left it; when its commands have run, `saved` returns the bytes of windrow_ground_save,
+   once. They load here and by windrow_ground_load. */
+WINDROW_C_API windrow_result windrow_vulkan_ground_record_save(windrow_vulkan_ground* ground, void* commands);
+WINDROW_C_API windrow_result windrow_vulkan_ground_saved(windrow_vulkan_ground* ground, windrow_bytes** bytes);
+/* The textures hold nothing before the first record. */
+WINDROW_C_API windrow_result windrow_vulkan_ground_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+                                                        windrow_texel texel, windrow_vulkan_ground** ground);
 /* VkBuffer of two floats a slot, for WINDROW_LEANS_EACH_TEXEL. */
 WINDROW_C_API uint64_t windrow_vulkan_ground_lean_buffer(const windrow_vulkan_ground* ground);
 WINDROW_C_API int32_t windrow_vulkan_ground_walkers_left_out(const windrow_vulkan_ground* ground);

@@ -2,31 +2,22 @@
 
 #include "coupling/ground_host.h"
 #include "coupling/ground_state.h"
-#include "fluid/core/archive.h"
+#include "coupling/saved_ground.h"
 #include "fluid/core/message.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace windrow {
-namespace {
-
-constexpr detail::Format k_ground_format{"WINDTRAI", detail::Layout("ground 2").with<GroundConfig>().version(), "saved ground",
-                                         "GroundMemory::save"};
-
-} // namespace
 
 struct WINDROW_HIDDEN GroundMemory::State {
     State(const GroundConfig& config, ParallelFor loop) : host(config), parallel_for(loop) {}
 
     Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
-    template <class Archive, class Self>
-    static void fields(Archive& archive, Self& state);
     void advance_row(const numerics::WindrowGroundStep& step, int row, std::span<const glm::vec2> wind_leans);
 
     detail::GroundHost host;
@@ -128,63 +119,36 @@ void GroundMemory::State::advance_row(const numerics::WindrowGroundStep& step, i
 // --- Bytes
 // -------------------------------------------------------------------------------------------------------------------------
 
-// What is shown now follows from the texels.
-template <class Archive, class Self>
-void GroundMemory::State::fields(Archive& archive, Self& state) {
-    constexpr bool reads = detail::Reading<Archive>;
-    constexpr float k_most_lean = 1e6f, k_most_velocity = 1e10f; // beyond what springs reach
-    const auto within = [](const auto& vector, float most) {
-        for (int n = 0; n < vector.length(); ++n)
-            if (!(std::abs(vector[n]) <= most))
-                return false;
-        return true;
-    };
-    detail::GroundHost::fields(archive, state.host);
-    archive(state.shown_once);
-    if constexpr (reads)
-        if (!archive.can_hold(state.texels.size(), 13 * sizeof(float)))
-            return;
-    for (std::size_t n = 0; n < state.texels.size(); ++n) {
-        auto& texel = state.texels[n];
-        archive(texel.lean, texel.velocity, texel.trail, texel.trample, state.leans_before[n], state.shown[state.set ^ 1][n]);
-        if constexpr (reads) {
-            archive.require(within(texel.lean, k_most_lean) && within(texel.velocity, k_most_velocity) &&
-                                within(texel.trail, k_most_lean) && texel.trample >= 0.0f && texel.trample <= 1.0f &&
-                                within(state.leans_before[n], WINDROW_GROUND_MOST_LEAN) &&
-                                within(state.shown[state.set ^ 1][n], k_most_lean),
-                            "a texel is out of range.");
-            if (state.shown_once)
-                state.shown[state.set][n] = numerics::windrow_ground_shown(texel);
-        }
-    }
-}
-
 Result<std::vector<std::byte>> GroundMemory::save() const {
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
-        detail::Writer writer(256 + 13 * state_->texels.size() * sizeof(float));
-        writer(config());
-        State::fields(writer, std::as_const(*state_));
-        return std::move(writer).finish(k_ground_format);
+        detail::SavedGround saved(config());
+        saved.host = state_->host;
+        saved.stepped = state_->shown_once;
+        saved.texels = state_->texels;
+        saved.leans_before = state_->leans_before;
+        saved.shown_before = state_->shown[state_->set ^ 1];
+        return to_bytes(saved);
     });
 }
 
 Result<GroundMemory> GroundMemory::load(std::span<const std::byte> bytes, ParallelFor parallel_for) {
     return detail::where_memory_lasts([&]() -> Result<GroundMemory> {
-        std::optional<GroundMemory> ground;
-        auto read = detail::read_sealed(bytes, k_ground_format, [&](detail::Reader& reader) {
-            GroundConfig config;
-            reader(config);
-            if (reader.rejected())
-                return;
-            auto made = create(config, parallel_for);
-            if (!made)
-                return reader.reject(made.error());
-            ground = *std::move(made);
-            State::fields(reader, *ground->state_);
-        });
-        if (!read)
-            return read.failure();
-        return *std::move(ground);
+        auto saved = detail::ground_of(bytes);
+        if (!saved)
+            return saved.failure();
+        auto ground = create(saved->host.config(), parallel_for);
+        if (!ground)
+            return ground;
+        State& state = *ground->state_;
+        state.host = std::move(saved->host);
+        state.shown_once = saved->stepped;
+        state.texels = std::move(saved->texels);
+        state.leans_before = std::move(saved->leans_before);
+        state.shown[state.set ^ 1] = std::move(saved->shown_before);
+        if (state.shown_once)
+            std::transform(state.texels.begin(), state.texels.end(), state.shown[state.set].begin(),
+                           numerics::windrow_ground_shown);
+        return ground;
     });
 }
 

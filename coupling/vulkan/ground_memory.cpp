@@ -1,6 +1,7 @@
 #include "coupling/vulkan/ground_memory.h"
 
 #include "coupling/ground_host.h"
+#include "coupling/saved_ground.h"
 #include "fluid/core/message.h"
 #include "gpu/device.h"
 #include "shader_words/ground_float.h"
@@ -8,7 +9,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,7 +33,7 @@ VkAccessFlags writes_of(VkPipelineStageFlags stages) {
 
 VkAccessFlags uses_of(VkPipelineStageFlags stages) {
     return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT : 0) |
-           ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
+           ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT : 0);
 }
 
 } // namespace
@@ -42,6 +46,12 @@ struct WINDROW_HIDDEN GroundMemory::State {
     [[nodiscard]] std::array<Buffer*, 6> buffers() { return {&step, &walkers, &motion, &memory, &leans_before, &leans}; }
     void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) const;
     void dispatch(VkCommandBuffer commands, int into) const;
+    void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize read, VkDeviceSize write,
+              VkDeviceSize bytes) const;
+    [[nodiscard]] Result<void> stage(const windrow::detail::SavedGround& ground, Texel texel);
+    void take_staged(VkCommandBuffer commands) const;
+    /// What a save copies, one behind another.
+    [[nodiscard]] std::array<const Buffer*, 3> kept() const { return {&motion, &memory, &leans_before}; }
 
     std::unique_ptr<Device> device; // above what is made from it, which goes first
     windrow::detail::GroundHost host;
@@ -51,6 +61,10 @@ struct WINDROW_HIDDEN GroundMemory::State {
     Sets sets;
     int set = 0;
     bool recorded = false;
+    Buffer save;                                          // of the last record_save
+    std::optional<windrow::detail::GroundHost> save_host; // as it was then
+    Buffer staged;                                        // of `load`: what a save copies, then the texels of a texture
+    bool is_staged = false;                               // and no step has taken it
 };
 
 GroundMemory::GroundMemory(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -70,6 +84,22 @@ Result<GroundMemory> GroundMemory::create(const Host& host, const GroundConfig& 
             return made.failure();
         return GroundMemory(std::move(state));
     });
+}
+
+Result<GroundMemory> GroundMemory::load(const Host& host, std::span<const std::byte> bytes, Texel texel) {
+    auto saved = windrow::detail::ground_of(bytes);
+    if (!saved)
+        return saved.failure();
+    auto made = create(host, saved->host.config(), texel);
+    if (!made)
+        return made;
+    State& state = *made->state_;
+    if (saved->stepped)
+        if (auto staged = state.stage(*saved, texel); !staged)
+            return staged.failure();
+    state.recorded = saved->stepped;
+    state.host = std::move(saved->host);
+    return made;
 }
 
 // In the order of `buffers`.
@@ -167,6 +197,141 @@ void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
     call.vkCmdPipelineBarrier(commands, k_compute, device->reader_stages(), 0, 0, nullptr, 0, nullptr, 1, &image);
 }
 
+// --- Saving ------------------------------------------------------------------------------------------------------------------
+
+void GroundMemory::State::copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize read,
+                               VkDeviceSize write, VkDeviceSize bytes) const {
+    const VkBufferCopy region{.srcOffset = read, .dstOffset = write, .size = bytes};
+    device->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
+}
+
+Result<void> GroundMemory::record_save(VkCommandBuffer commands) {
+    State& state = *state_;
+    if (commands == VK_NULL_HANDLE)
+        return Error{"GroundMemory::record_save got no command buffer: give one that is being recorded."};
+    if (!state.recorded || state.is_staged)
+        return Error{"GroundMemory::record_save is called before the first step: record one, then save."};
+    if (state.save.handle() == VK_NULL_HANDLE) {
+        VkDeviceSize bytes = 0;
+        for (const Buffer* const buffer : state.kept())
+            bytes += buffer->bytes();
+        auto made = Buffer::create(*state.device, bytes, MemoryUse::readback);
+        if (!made)
+            return made.failure();
+        state.save = *std::move(made);
+        state.device->name(VK_OBJECT_TYPE_BUFFER, state.save.handle(), "saved ground");
+    }
+    state.barrier(commands, k_compute | k_transfer, k_transfer);
+    VkDeviceSize at = 0;
+    for (const Buffer* const buffer : state.kept()) {
+        state.copy(commands, *buffer, state.save, 0, at, buffer->bytes());
+        at += buffer->bytes();
+    }
+    const VkMemoryBarrier all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                              .pNext = nullptr,
+                              .srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                              .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
+    state.device->functions().vkCmdPipelineBarrier(commands, k_transfer, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &all, 0, nullptr, 0,
+                                                   nullptr);
+    state.save_host = state.host;
+    return {};
+}
+
+Result<std::vector<std::byte>> GroundMemory::saved() {
+    State& state = *state_;
+    if (!state.save_host)
+        return Error{
+            "GroundMemory::saved has nothing: record a step and record_save, wait for their commands, and call it once."};
+    return windrow::detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        if (const VkResult result = state.save.invalidate(); result != VK_SUCCESS)
+            return call_error("vkInvalidateMappedMemoryRanges", "a saved ground", result);
+        windrow::detail::SavedGround ground(state.host.config());
+        ground.host = *state.save_host;
+        ground.stepped = true;
+        const std::byte* const motion = state.save.mapped();
+        const std::byte* const memory = motion + state.motion.bytes();
+        for (std::size_t n = 0; n < ground.texels.size(); ++n) {
+            glm::vec4 moves, keeps;
+            std::memcpy(&moves, motion + n * sizeof moves, sizeof moves);
+            std::memcpy(&keeps, memory + n * sizeof keeps, sizeof keeps);
+            ground.texels[n] = {
+                .lean = {moves.x, moves.y}, .velocity = {moves.z, moves.w}, .trail = {keeps.x, keeps.y}, .trample = keeps.z};
+            ground.shown_before[n] = numerics::windrow_ground_shown(ground.texels[n]);
+        }
+        std::memcpy(ground.leans_before.data(), memory + state.memory.bytes(), state.leans_before.bytes());
+        auto bytes = to_bytes(ground);
+        if (bytes)
+            state.save_host.reset();
+        return bytes;
+    });
+}
+
+// For the next step to take.
+Result<void> GroundMemory::State::stage(const windrow::detail::SavedGround& ground, Texel texel) {
+    const VkDeviceSize shown_bytes = texel == Texel::half ? sizeof(std::uint64_t) : sizeof(glm::vec4);
+    VkDeviceSize bytes = shown_bytes * host.texel_count();
+    for (const Buffer* const buffer : kept())
+        bytes += buffer->bytes();
+    auto made = Buffer::create(*device, bytes, MemoryUse::upload);
+    if (!made)
+        return made.failure();
+    staged = *std::move(made);
+    device->name(VK_OBJECT_TYPE_BUFFER, staged.handle(), "loaded ground");
+    std::byte* const to_motion = staged.mapped();
+    std::byte* const to_memory = to_motion + motion.bytes();
+    std::byte* const to_leans = to_memory + memory.bytes();
+    std::byte* const to_shown = to_leans + leans_before.bytes();
+    for (std::size_t n = 0; n < ground.texels.size(); ++n) {
+        const numerics::WindrowGround& one = ground.texels[n];
+        const glm::vec4 moves(one.lean, one.velocity), keeps(one.trail, one.trample, 0.0f),
+            shown = numerics::windrow_ground_shown(one);
+        std::memcpy(to_motion + n * sizeof moves, &moves, sizeof moves);
+        std::memcpy(to_memory + n * sizeof keeps, &keeps, sizeof keeps);
+        const std::uint64_t halves = glm::packHalf4x16(shown);
+        std::memcpy(to_shown + n * shown_bytes, texel == Texel::half ? static_cast<const void*>(&halves) : &shown, shown_bytes);
+    }
+    std::memcpy(to_leans, ground.leans_before.data(), leans_before.bytes());
+    if (const VkResult result = staged.flush(); result != VK_SUCCESS)
+        return call_error("vkFlushMappedMemoryRanges", "a loaded ground", result);
+    is_staged = true;
+    return {};
+}
+
+// Into the buffers, and into the texture of the frame before the next step.
+void GroundMemory::State::take_staged(VkCommandBuffer commands) const {
+    const Functions& call = device->functions();
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    VkDeviceSize at = 0;
+    for (const Buffer* const buffer : kept()) {
+        copy(commands, staged, *buffer, at, 0, buffer->bytes());
+        at += buffer->bytes();
+    }
+    VkImageMemoryBarrier image{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                               .pNext = nullptr,
+                               .srcAccessMask = 0,
+                               .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                               .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                               .newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                               .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                               .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                               .image = images[static_cast<std::size_t>(set)].handle(),
+                               .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    call.vkCmdPipelineBarrier(commands, k_transfer, k_transfer, 0, 0, nullptr, 0, nullptr, 1, &image);
+    const auto n = static_cast<std::uint32_t>(host.config().texels);
+    const VkBufferImageCopy region{.bufferOffset = at,
+                                   .bufferRowLength = 0,
+                                   .bufferImageHeight = 0,
+                                   .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                   .imageOffset = {0, 0, 0},
+                                   .imageExtent = {n, n, 1}};
+    call.vkCmdCopyBufferToImage(commands, staged.handle(), image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    image.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    image.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    call.vkCmdPipelineBarrier(commands, k_transfer, device->reader_stages(), 0, 0, nullptr, 0, nullptr, 1, &image);
+}
+
 Result<void> GroundMemory::follow(glm::dvec3 point) {
     return state_->host.follow(point);
 }
@@ -183,6 +348,8 @@ Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& st
         return begun.failure();
     const Functions& call = state.device->functions();
     const bool first = !std::exchange(state.recorded, true);
+    if (std::exchange(state.is_staged, false))
+        state.take_staged(commands);
     state.barrier(commands, k_compute | k_transfer, k_compute | k_transfer);
     call.vkCmdUpdateBuffer(commands, state.step.handle(), 0, sizeof(*begun), &*begun);
     if (const auto walkers = state.host.walkers(); !walkers.empty())

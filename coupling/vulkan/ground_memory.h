@@ -16,7 +16,10 @@
 #include "../ground_config.h"
 #include "../motion_blocks.h"
 
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -41,6 +44,16 @@ class WINDROW_API GroundMemory {
     /// windrow::GroundMemory::advance rejects; nothing is recorded then. What is recorded must be submitted: the next step goes
     /// on from it.
     Result<void> record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans = WindLeans::everywhere);
+
+    /// Records a copy of all of it, as the last `record` left it, outside of a render pass. Takes 40 bytes a texel of memory that the
+    /// host reads, once. Rejects a memory without a step, which has nothing to copy.
+    Result<void> record_save(VkCommandBuffer commands);
+    /// The bytes of windrow::GroundMemory::save, once for each `record_save`, when its commands have run, which the host waits for.
+    /// They load here and on the CPU. The frame before the saved one is saved as that one.
+    [[nodiscard]] Result<std::vector<std::byte>> saved();
+    /// A memory that goes on from bytes of either backend. Its textures hold nothing before the first `record`, whose frame before
+    /// is the one that was saved. Takes 48 to 56 bytes a texel more, for good. Rejects as windrow::GroundMemory::load and `create`.
+    [[nodiscard]] static Result<GroundMemory> load(const Host& host, std::span<const std::byte> bytes, Texel texel = Texel::half);
 
     /// Two floats (x and z [rad]; beyond 1e3 or no numbers: 0) for each slot, x fastest: for WindLeans::each_texel, written by
     /// compute or transfer commands of the host's, recorded before `record`, which waits for them. Holds anything before the

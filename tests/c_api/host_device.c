@@ -8,6 +8,7 @@ typedef struct recording {
     windrow_vulkan_frame frame;
     windrow_vulkan_ground* ground;
     windrow_ground_step step;
+    int saves;
     windrow_result result;
 } recording;
 
@@ -17,6 +18,8 @@ static void record(void* commands, void* user) {
         what->result = windrow_vulkan_wind_record_step(what->wind, commands, &what->frame, NULL);
     else
         what->result = windrow_vulkan_ground_record(what->ground, commands, &what->step, WINDROW_LEANS_EVERYWHERE);
+    if (what->saves && what->result == WINDROW_OK)
+        what->result = windrow_vulkan_ground_record_save(what->ground, commands);
 }
 
 static windrow_result run(windrow_vulkan_record record_frame, void* argument, void* user) {
@@ -220,6 +223,9 @@ static void check_device_ground(windrow_vulkan_device* device) {
     windrow_ground_config config;
     windrow_vulkan_texture texture;
     windrow_ground_block block;
+    windrow_bytes* bytes = NULL;
+    windrow_ground* on_cpu = NULL;
+    windrow_vulkan_ground* again = NULL;
     recording what;
     memset(&what, 0, sizeof what);
     CHECK_OK(windrow_vulkan_host_init(&host, sizeof host));
@@ -232,6 +238,16 @@ static void check_device_ground(windrow_vulkan_device* device) {
     what.step.duration = 0.1;
     CHECK_OK(windrow_vulkan_device_run(device, record, &what));
     CHECK_OK(what.result);
+    CHECK_FAILS(windrow_vulkan_ground_saved(what.ground, &bytes), WINDROW_REJECTED, "has nothing");
+    what.saves = 1;
+    CHECK_OK(windrow_vulkan_device_run(device, record, &what));
+    CHECK_OK(what.result);
+    CHECK_OK(windrow_vulkan_ground_saved(what.ground, &bytes));
+    CHECK_OK(windrow_ground_load(windrow_bytes_data(bytes), windrow_bytes_size(bytes), NULL, &on_cpu));
+    CHECK_OK(windrow_vulkan_ground_load(&host, windrow_bytes_data(bytes), windrow_bytes_size(bytes), WINDROW_TEXEL_HALF, &again));
+    windrow_bytes_destroy(bytes);
+    windrow_ground_destroy(on_cpu);
+    windrow_vulkan_ground_destroy(again);
     CHECK_OK(windrow_vulkan_ground_texture(what.ground, WINDROW_FRAME_NOW, &texture));
     CHECK_OK(windrow_vulkan_ground_block(what.ground, dvec3(0.0, 0.0, 0.0), &block));
     CHECK(texture.view != 0 && block.now.corner.w == 128.0f && windrow_vulkan_ground_memory_bytes(what.ground) > 0);

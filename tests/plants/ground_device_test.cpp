@@ -8,6 +8,7 @@
 #include "tests/parity/gpu.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -16,6 +17,10 @@ namespace windrow::vulkan {
 namespace {
 
 constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+
+bool says(const auto& result, const char* sentence) {
+    return !result && result.error().find(sentence) != std::string::npos;
+}
 
 class GroundDevice : public Gpu {
   protected:
@@ -217,6 +222,66 @@ TEST_F(GroundDevice, StepsInOneCommandBufferFollowEachOther) {
     const GroundsApart apart = compare(pair, walker.position, 6);
     WINDROW_EXPECT_FIGURE("ground_device/five_steps_at_once", apart.worst / apart.largest, 1e-4);
     EXPECT_GT(apart.largest, 0.5);
+}
+
+// Saved in the middle of a walk and loaded: the next frames, and the frame before the first of them, are those of the memory that was
+// saved, on a device to the bit and on the CPU to rounding. So are bytes of the CPU, loaded on a device.
+TEST_F(GroundDevice, GoesOnFromItsBytesOnBothBackends) {
+    for (const Texel texel : {Texel::single, Texel::half}) {
+        TwoGrounds pair = make({.texels = 64}, texel);
+        EXPECT_TRUE(says(pair.gpu.saved(), "has nothing: record a step"));
+        run([&](VkCommandBuffer commands) { EXPECT_TRUE(says(pair.gpu.record_save(commands), "before the first step")); });
+        GroundWalker walker{.radius = 1.0f};
+        const auto walk = [&](auto&& grounds, int frames) {
+            for (int n = 0; n < frames; ++n) {
+                walker.previous = walker.position;
+                walker.position += glm::dvec3(0.4, 0.0, -0.1);
+                for (TwoGrounds* const each : grounds) {
+                    follow(*each, walker.position);
+                    advance(
+                        *each,
+                        {.duration = 0.05, .walkers = std::span(&walker, 1), .wind_lean = {0.1f, 0.02f * static_cast<float>(n)}});
+                }
+            }
+        };
+        walk(std::array{&pair}, 20);
+        run([&](VkCommandBuffer commands) { ASSERT_TRUE(pair.gpu.record_save(commands)); });
+        const auto bytes = pair.gpu.saved();
+        ASSERT_TRUE(bytes) << bytes.error();
+        EXPECT_TRUE(says(pair.gpu.saved(), "has nothing")) << "once for each";
+        const auto of_cpu = pair.cpu.save();
+        ASSERT_TRUE(of_cpu);
+        EXPECT_EQ(of_cpu->size(), bytes->size());
+        const auto loaded = [&](const std::vector<std::byte>& from) -> TwoGrounds {
+            auto cpu = windrow::GroundMemory::load(from);
+            auto gpu = GroundMemory::load(own->host(), from, texel);
+            EXPECT_TRUE(cpu) << cpu.error();
+            EXPECT_TRUE(gpu) << gpu.error();
+            return {*std::move(cpu), *std::move(gpu)};
+        };
+        TwoGrounds again = loaded(*bytes), other = loaded(*of_cpu);
+        const double bound = texel == Texel::single ? 1e-4 : 0x1p-10 + 1e-4;
+        for (const int frames : {1, 15}) {
+            walk(std::array{&pair, &again, &other}, frames);
+            for (TwoGrounds* const each : {&pair, &again, &other}) {
+                const GroundsApart apart = compare(*each, walker.position, 3);
+                EXPECT_LE(apart.worst, bound) << frames;
+                EXPECT_GT(apart.largest, 0.3);
+            }
+            std::vector<glm::vec4> places;
+            for (int n = 0; n < 1024; ++n)
+                places.emplace_back(0.2f * static_cast<float>(n % 32) - 3.2f, 0.0f, 0.2f * static_cast<float>(n / 32) - 3.2f,
+                                    0.0f);
+            const auto now = sampled(again.gpu, places, walker.position), wanted = sampled(pair.gpu, places, walker.position);
+            for (std::size_t n = 0; n < now.size(); ++n) { // in turn now and before; a loaded half may be rounded otherwise
+                const bool rounds = n % 2 == 1 && frames == 1 && texel == Texel::half;
+                EXPECT_TRUE(rounds ? glm::distance(now[n], wanted[n]) <= 2e-3f : now[n] == wanted[n]) << n << ", " << frames;
+            }
+        }
+        std::vector<std::byte> damaged = *bytes;
+        damaged[damaged.size() / 2] ^= std::byte{1};
+        EXPECT_FALSE(GroundMemory::load(own->host(), damaged, texel));
+    }
 }
 
 TEST_F(GroundDevice, RejectsWhatTheCpuRejects) {

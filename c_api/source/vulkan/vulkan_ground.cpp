@@ -52,6 +52,35 @@ WINDROW_EXPORT windrow_result windrow_vulkan_ground_record(windrow_vulkan_ground
         });
     });
 }
+WINDROW_EXPORT windrow_result windrow_vulkan_ground_record_save(windrow_vulkan_ground* ground, void* commands) {
+    return call({{ground, "ground"}, {commands, "commands"}}, [&] { return ground->ground.record_save(commands_of(commands)); });
+}
+WINDROW_EXPORT windrow_result windrow_vulkan_ground_saved(windrow_vulkan_ground* ground, windrow_bytes** bytes) {
+    if (bytes != nullptr)
+        *bytes = nullptr;
+    return call({{ground, "ground"}, {bytes, "bytes"}}, [&]() -> windrow_result {
+        auto saved = ground->ground.saved();
+        if (!saved)
+            return fail(saved.failure());
+        *bytes = new windrow_bytes{*std::move(saved)};
+        return WINDROW_OK;
+    });
+}
+WINDROW_EXPORT windrow_result windrow_vulkan_ground_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+                                                         windrow_texel texel, windrow_vulkan_ground** ground) {
+    if (ground != nullptr)
+        *ground = nullptr;
+    return call({{bytes, "bytes"}}, [&] {
+        return with_host(host, [&](const vulkan::Host& device) -> windrow_result {
+            Reasons reasons;
+            vulkan::Texel wanted{};
+            if (!read_choice(reasons, Path{nullptr, "texel"}, texel, wanted))
+                return fail(WINDROW_REJECTED, reasons.take());
+            const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
+            return create(ground, [&] { return vulkan::GroundMemory::load(device, saved, wanted); });
+        });
+    });
+}
 WINDROW_EXPORT uint64_t windrow_vulkan_ground_lean_buffer(const windrow_vulkan_ground* ground) {
     return value_of(ground, "ground", [&] { return number_of(ground->ground.lean_buffer()); });
 }

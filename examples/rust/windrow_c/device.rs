@@ -275,6 +275,11 @@ extern "C" {
     pub fn windrow_vulkan_ground_record(
         ground: *mut c_void, commands: *mut c_void, step: *const GroundStep, leans: WindLeans
     ) -> ResultCode;
+    pub fn windrow_vulkan_ground_record_save(ground: *mut c_void, commands: *mut c_void) -> ResultCode;
+    pub fn windrow_vulkan_ground_saved(ground: *mut c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_vulkan_ground_load(
+        host: *const VulkanHost, bytes: *const c_void, size: u64, texel: Texel, ground: *mut *mut c_void
+    ) -> ResultCode;
     pub fn windrow_vulkan_ground_lean_buffer(ground: *const c_void) -> u64;
     pub fn windrow_vulkan_ground_walkers_left_out(ground: *const c_void) -> i32;
     pub fn windrow_vulkan_ground_next_place(
