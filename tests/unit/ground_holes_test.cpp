@@ -157,6 +157,27 @@ TEST(GroundHoles, AreTheSameHoweverTheyAreDrawn) {
     EXPECT_LE(worst, 3e-3); // a face is closed whole or in part by whether the line between two centres touches
 }
 
+// A tile that covers a hole of another one closes it, as level with it or higher.
+TEST(GroundHoles, ATileOverAHoleClosesIt) {
+    const auto tile = [](std::shared_ptr<const HeightMap> heights, glm::vec3 at) {
+        PlacedObstacle body;
+        body.shape = Ground{std::move(heights), glm::vec3(1.0f), Beyond::nothing};
+        body.position = at;
+        return body;
+    };
+    const auto level = [](float size, double height) { return heights_of({2, 2}, size, [=](double, double) { return height; }); };
+    const auto holed = with_holes(*level(64.0f, 5.2), mask_of({16, 16}, [](int x, int z) { return x == 8 && z == 8; }));
+    for (const float shift : {0.0f, 0.3f, 0.5f})
+        for (const double lift : {0.0, 1.0}) {
+            const glm::vec3 low(shift - 16.0f, 0.0f, shift - 18.0f), of_hole = low + glm::vec3(32.0f, 0.0f, 32.0f);
+            const PlacedObstacle plug = tile(level(4.0f, 5.2 + lift), of_hole);
+            const Drawn plugged = drawn_from(std::vector{tile(holed, low), plug}),
+                        wanted = drawn_from(std::vector{tile(level(64.0f, 5.2), low), plug});
+            EXPECT_EQ(plugged.faces, wanted.faces) << shift << ", " << lift;
+            EXPECT_EQ(plugged.inside, wanted.inside) << shift << ", " << lift;
+        }
+}
+
 // A rampart with a gate: a level tile with a hole, under a lintel, is the two blocks beside it.
 TEST(GroundHoles, AWindThroughAGateIsThatBetweenBlocks) {
     PlacedObstacle rampart, left, right, lintel;
