@@ -6,6 +6,7 @@
 #include "scene/vox_file.h"
 #include "tests/shapes.h"
 #include "tests/tier.h"
+#include "tests/unit/vox_parts.h"
 #include "tests/winds.h"
 
 #include <ctime>
@@ -160,14 +161,8 @@ TEST(WorkGrowth, OfMeshesEndsInASentence) {
 
 // --- Files -------------------------------------------------------------------------------------------------------------------
 
-std::string number(int value) {
-    std::string bytes(4, '\0');
-    for (std::size_t n = 0; n < 4; ++n)
-        bytes[n] = static_cast<char>(value >> (8 * n));
-    return bytes;
-}
-
 TEST(WorkGrowth, OfVoxelFiles) {
+    using test::number;
     const auto file = [](int lists, int voxels, glm::ivec3 size) {
         std::string bytes = "VOX " + number(150) + "MAIN" + number(0) + number(0);
         bytes += "SIZE" + number(12) + number(0) + number(size.x) + number(size.y) + number(size.z);
@@ -187,13 +182,24 @@ TEST(WorkGrowth, OfVoxelFiles) {
     // Each list of a model took the memory of all its cells again: 128 MiB of empty lists took hours.
     const double begin = seconds([&] {
         EXPECT_EQ(read_vox(file(1'000, 0, {256, 256, 256}), "a.vox").error(),
-                  "a.vox: byte 56: the model has no voxel: fill one at least.");
+                  "a.vox: byte 72: the model has a second chunk XYZI; export the file again.");
         EXPECT_EQ(read_vox(file(1'000, 1, {8, 8, 8}), "a.vox").error(),
                   "a.vox: byte 76: the model has a second chunk XYZI; export the file again.");
     });
     if (!test::k_sanitized) {
         EXPECT_LT(begin, 0.05);
     }
+    // Nodes below nodes, each of which shows the model at its own end.
+    expect_even_growth("nodes", 4'000, [&](int n) {
+        std::string nodes;
+        for (int node = 0; node < n; ++node)
+            nodes += test::chunk("nGRP", number(2 * node) + number(0) + number(2) + number(2 * node + 1) + number(2 * node + 2)) +
+                     test::vox_shape(2 * node + 1, 0);
+        return [bytes = test::vox_file(test::vox_model({2, 2, 2}, {{0, 0, 0}}) + nodes)] {
+            const auto read = read_vox(bytes, "a.vox");
+            ASSERT_TRUE(read) << read.error();
+        };
+    });
 }
 
 TEST(WorkGrowth, OfHeightFiles) {
