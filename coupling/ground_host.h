@@ -1,4 +1,4 @@
-// Backend-independent part of a ground memory: position of the window, and parameters of a step.
+// Backend-independent part of a ground memory: position of the window, parameters of a step, and its bytes.
 #pragma once
 
 #include "coupling/ground_config.h"
@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -93,5 +94,24 @@ void GroundHost::fields(Archive& archive, Host& host) {
         }
     }
 }
+
+// --- Bytes (saved_ground.cpp) ------------------------------------------------------------------------------------------------
+
+/// A ground memory between its bytes and a backend: those of a device load on the CPU and the other way.
+struct WINDROW_INTERNAL SavedGround {
+    /// At rest, before any step.
+    explicit SavedGround(const GroundConfig& config)
+        : host(config), texels(host.texel_count()), leans_before(host.texel_count()), shown_before(host.texel_count()) {}
+
+    GroundHost host;
+    bool stepped = false;
+    std::vector<numerics::WindrowGround> texels;
+    std::vector<glm::vec2> leans_before; ///< [rad] of the wind, a step ago
+    std::vector<glm::vec4> shown_before; ///< what was sampled a step ago; what is sampled now follows from the texels
+};
+
+[[nodiscard]] WINDROW_INTERNAL Result<std::vector<std::byte>> to_bytes(const SavedGround& ground);
+/// Rejects bytes that `to_bytes` did not return.
+[[nodiscard]] WINDROW_INTERNAL Result<SavedGround> ground_of(std::span<const std::byte> bytes);
 
 } // namespace windrow::detail

@@ -2,7 +2,6 @@
 
 #include "coupling/ground_host.h"
 #include "coupling/ground_state.h"
-#include "coupling/saved_ground.h"
 #include "fluid/core/message.h"
 
 #include <algorithm>

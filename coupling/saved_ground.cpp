@@ -1,6 +1,5 @@
-#include "coupling/saved_ground.h"
-
 #include "coupling/ground_config.h"
+#include "coupling/ground_host.h"
 #include "fluid/core/message.h"
 
 #include <cmath>

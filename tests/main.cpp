@@ -21,8 +21,10 @@ constexpr const char* k_slow_under_asan[] = {
     "*OfTheCpu/*_rests:*OfTheCpu/*_moves:*OfTheCpu/*_turns:*OfTheCpu/thin_wall*:*OfTheCpu/fast_air*",
     "*OfTheCpu/random_2*:*OfTheCpu/random_3*:*OfTheCpu/random_4*:*OfTheCpu/random_5*:*OfTheCpu/random_6*",
     "*OfTheCpu/random_7*:*OfTheCpu/random_8*:*OfTheCpu/random_9*",
-    "SceneCost.*:WorkGrowth.*:Schema.ReaderTakesEvery*:MotorRejection.WhatIsTaken*:Query.IsContinuous*:GustTile.Stands*",
-    "Sleep.NothingThatIsSeen*:WindStories.OfAirThatSleeps:GroundRecovery.*:Window.AMillionMetres*:CascadeStep.*",
+    "SceneCost.TextThatIs*:SceneCost.ManyNames*:Schema.ReaderTakesEvery*:MotorRejection.WhatIsTaken*:Query.IsContinuous*:"
+    "GustTile.Stands*",
+    "Sleep.NothingThatIsSeen*:WindStories.OfAirThatSleeps:GroundRecovery.TrailFades*:GroundRecovery.NothingIsLeft*",
+    "Window.AMillionMetres*",
     "TiledGround.FourTilesAreOneMapWherever*:WindInShaders.HardwareFiltering*:SharedPipelines.AreLookedFor*",
     "WindObstacles.AVent*:WindObstacles.ASteadyWind*:WindObstacles.ViscousAir*:WindObstacles.AWalkAlong*",
     "WindParity.UnevenSteps*:WindParity.ThinBoxes:WindCalls.ManySubSteps:WindSubsteps.AStorm*",

@@ -1,7 +1,6 @@
 #include "coupling/vulkan/ground_memory.h"
 
 #include "coupling/ground_host.h"
-#include "coupling/saved_ground.h"
 #include "fluid/core/message.h"
 #include "gpu/device.h"
 #include "shader_words/ground_float.h"
@@ -34,6 +33,28 @@ VkAccessFlags writes_of(VkPipelineStageFlags stages) {
 VkAccessFlags uses_of(VkPipelineStageFlags stages) {
     return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT : 0) |
            ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT : 0);
+}
+
+// An image that is written whole, from no layout.
+VkImageMemoryBarrier begun_anew(const Image3D& image, VkAccessFlags access, VkImageLayout layout) {
+    return {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+            .pNext = nullptr,
+            .srcAccessMask = 0,
+            .dstAccessMask = access,
+            .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+            .newLayout = layout,
+            .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+            .image = image.handle(),
+            .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+}
+
+// And then, to those who sample it.
+void to_readers(VkImageMemoryBarrier& image) {
+    image.srcAccessMask = image.dstAccessMask;
+    image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    image.oldLayout = image.newLayout;
+    image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
 }
 
 } // namespace
@@ -175,25 +196,14 @@ void GroundMemory::State::barrier(VkCommandBuffer commands, VkPipelineStageFlags
 // Writes an image whole, from no layout to the one that shaders read.
 void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
     const Functions& call = device->functions();
-    VkImageMemoryBarrier image{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                               .pNext = nullptr,
-                               .srcAccessMask = 0,
-                               .dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
-                               .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-                               .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-                               .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                               .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                               .image = images[static_cast<std::size_t>(into)].handle(),
-                               .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    VkImageMemoryBarrier image =
+        begun_anew(images[static_cast<std::size_t>(into)], VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL);
     // Whoever sampled it two frames ago is done first.
     call.vkCmdPipelineBarrier(commands, device->reader_stages() | k_compute, k_compute, 0, 0, nullptr, 0, nullptr, 1, &image);
     pipeline->bind(call, commands, sets.at(static_cast<std::size_t>(into)));
     const std::uint32_t groups = (static_cast<std::uint32_t>(host.config().texels) + k_group - 1) / k_group;
     call.vkCmdDispatch(commands, groups, groups, 1);
-    image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-    image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
-    image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    to_readers(image);
     call.vkCmdPipelineBarrier(commands, k_compute, device->reader_stages(), 0, 0, nullptr, 0, nullptr, 1, &image);
 }
 
@@ -306,16 +316,8 @@ void GroundMemory::State::take_staged(VkCommandBuffer commands) const {
         copy(commands, staged, *buffer, at, 0, buffer->bytes());
         at += buffer->bytes();
     }
-    VkImageMemoryBarrier image{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
-                               .pNext = nullptr,
-                               .srcAccessMask = 0,
-                               .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
-                               .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-                               .newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                               .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                               .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                               .image = images[static_cast<std::size_t>(set)].handle(),
-                               .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    VkImageMemoryBarrier image =
+        begun_anew(images[static_cast<std::size_t>(set)], VK_ACCESS_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
     call.vkCmdPipelineBarrier(commands, k_transfer, k_transfer, 0, 0, nullptr, 0, nullptr, 1, &image);
     const auto n = static_cast<std::uint32_t>(host.config().texels);
     const VkBufferImageCopy region{.bufferOffset = at,
@@ -325,10 +327,7 @@ void GroundMemory::State::take_staged(VkCommandBuffer commands) const {
                                    .imageOffset = {0, 0, 0},
                                    .imageExtent = {n, n, 1}};
     call.vkCmdCopyBufferToImage(commands, staged.handle(), image.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    image.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    image.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    to_readers(image);
     call.vkCmdPipelineBarrier(commands, k_transfer, device->reader_stages(), 0, 0, nullptr, 0, nullptr, 1, &image);
 }
 
