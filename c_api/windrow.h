@@ -25,6 +25,7 @@
 #include "c_api/motion.h"
 #include "c_api/motors.h"
 #include "c_api/obstacles.h"
+#include "c_api/operators.h"
 #include "c_api/plants.h"
 #include "c_api/shader_blocks.h"
 #include "c_api/tracer.h"

@@ -74,6 +74,24 @@ function(windrow_library target component)
   endif()
 endfunction()
 
+# windrow_portable(TARGET): what is built to be copied to other machines (the preset portable, the wheels of Python) holds the libraries of
+# C++, and no function that nothing calls.
+option(WINDROW_PORTABLE "Link the command and the library in C for any Linux with glibc 2.34: libraries of C++ within them" OFF)
+if(WINDROW_PORTABLE)
+  add_compile_options(-ffunction-sections -fdata-sections)
+endif()
+function(windrow_portable target)
+  if(NOT WINDROW_PORTABLE)
+    return()
+  endif()
+  target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc -Wl,--gc-sections)
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/portable_glibc.cpp)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/cmake/portable_glibc.cpp TARGET_DIRECTORY ${target}
+                                PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+endfunction()
+
 # windrow_link_openvdb(TARGET): for a target that includes OpenVDB's headers. Their templates are one copy with OpenVDB's own library: half
 # hidden, its registry of grids crashes. Headers that others precompiled are hidden.
 function(windrow_link_openvdb target)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
@@ -12,7 +13,7 @@ namespace {
 constexpr double k_turn = 2.0 * glm::pi<double>(); // [rad]
 
 bool moves(glm::dvec3 way) {
-    return std::hypot(way.x, way.z) > 1e-9;
+    return glm::length(glm::dvec2(way.x, way.z)) > 1e-9; // std::hypot asks for glibc 2.35
 }
 
 /// [rad] About the vertical: +z along the path at a time, or, where it waits, along the nearest stretch on which it moves.

@@ -8,7 +8,8 @@ A comment in a header of c_api, before a struct or a choice, names the struct or
 
 A row of the table that the C struct lacks becomes a field at its end; the comments of fields are those of the rows. Fields keep their
 order for good, since it is the binary interface. "by hand: NAME, NAME" lists rows and fields that are left alone: what C has in
-another form. From the headers follow the lists of fields in c_api/source, and the mirrors in Python, C# and Rust (mirrors.py).
+another form. From the headers follow the lists of fields in c_api/source, the mirrors in Python, C# and Rust (mirrors.py), and the settings of
+the Python package (python_classes.py).
 --check writes nothing and names the files that differ.
 """
 import argparse
@@ -20,6 +21,7 @@ import sys
 import textwrap
 
 import mirrors
+import python_classes
 from c_header import Header, common, fields_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -234,7 +236,10 @@ def made_files(root, tables=None):
         path = root / "c_api/source" / name
         files[path] = between(path.read_text(encoding="utf-8"), interface.lists(parts), name)
     for name, text in mirrors.mirrors(interface.parsed).items():
-        files[root / "examples" / name] = text
+        files[root / name] = text
+    package = root / "bindings/python/windrow"
+    files[package / "settings.py"] = python_classes.Classes(interface, declarations).text()
+    files[package / "_version.py"] = python_classes.version(root)
     return files
 
 

@@ -11,8 +11,10 @@ from c_header import common
 
 PARTS = {"air": ("base.h", "config.h", "ambient.h", "shader_blocks.h", "wind.h", "event_log.h", "tracer.h"),
          "bodies": ("motors.h", "obstacles.h"),
+         "operators": ("operators.h",),
          "plants": ("plants.h", "motion.h"),
          "device": ("vdb.h", "vulkan_host.h", "vulkan_wind.h", "vulkan_ground.h")}
+PYTHON_FOLDER = "bindings/python/windrow/_c"
 MADE = "Made by ./dev schema from the headers of c_api, where units, ranges and defaults are. Do not edit."
 PYTHON = {"float": "c.c_float", "double": "c.c_double", "int32_t": "c.c_int32", "uint32_t": "c.c_uint32", "int64_t": "c.c_int64",
           "uint64_t": "c.c_uint64", "uint16_t": "c.c_uint16", "uint8_t": "c.c_uint8", "size_t": "c.c_size_t", "void": "None"}
@@ -204,26 +206,28 @@ class Part:
 
 
 def mirrors(header):
-    """{path under examples: text}."""
+    """{path from the root: text}."""
     whole = f"The whole C interface. {MADE}"
     files = {
-        "python/windrow_c/__init__.py": f'''"""{whole}"""
+        f"{PYTHON_FOLDER}/__init__.py": f'''"""{whole}"""
+from typing import Any
+
 {"".join(f"from .{name} import *{chr(10)}" for name in PARTS)}
 
-def bind(library):
+def bind(library: Any) -> Any:
     """Sets the types of each function of a loaded library."""
     for name, result, *arguments in {" + ".join(name.upper() for name in PARTS)}:
         function = getattr(library, name)
         function.restype, function.argtypes = result, arguments
     return library
 ''',
-        "rust/windrow_c/mod.rs": f"""// {whole}
+        "examples/rust/windrow_c/mod.rs": f"""// {whole}
 {"".join(f"pub mod {name};{chr(10)}" for name in PARTS)}#[allow(unused_imports)]
 pub use self::{{{", ".join(f"{name}::*" for name in PARTS)}}};
 """,
     }
     for name in PARTS:
         part = Part(header, name)
-        files |= {f"python/windrow_c/{name}.py": part.python(), f"csharp/windrow_c/{title(name)}.cs": part.csharp(),
-                  f"rust/windrow_c/{name}.rs": part.rust()}
+        files |= {f"{PYTHON_FOLDER}/{name}.py": part.python(), f"examples/csharp/windrow_c/{title(name)}.cs": part.csharp(),
+                  f"examples/rust/windrow_c/{name}.rs": part.rust()}
     return files

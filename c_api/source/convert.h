@@ -22,6 +22,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -140,6 +141,12 @@ template <class To, class From>
     static_assert(sizeof(To) == sizeof(Plain) && alignof(To) <= alignof(Plain) && std::is_const_v<To> == std::is_const_v<From> &&
                   std::is_trivially_copyable_v<std::remove_const_t<To>> && std::is_trivially_copyable_v<Plain>);
     return reinterpret_cast<To*>(from);
+}
+
+/// A host's array of numbers whose type the call names; empty where it is null.
+template <class Number, class Void>
+[[nodiscard]] std::span<Number> numbers(Void* array, std::uint64_t count) {
+    return {static_cast<Number*>(array), array != nullptr ? static_cast<std::size_t>(count) : 0};
 }
 
 // --- Enumerations ----------------------------------------------------------------------------------------------------

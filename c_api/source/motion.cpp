@@ -26,12 +26,6 @@ namespace {
 constexpr std::array k_springs{springs::grass, springs::wheat, springs::alfalfa, springs::reed,
                                springs::leaf,  springs::twig,  springs::branch,  springs::trunk};
 
-/// An array of numbers whose type the call names; empty where it is null.
-template <class Number, class Void>
-std::span<Number> numbers(Void* array, std::uint64_t count) {
-    return {static_cast<Number*>(array), array != nullptr ? static_cast<std::size_t>(count) : 0};
-}
-
 template <class Real>
 windrow_result advance(const windrow_spring_step* step, const windrow_spring_batch* batch,
                        const windrow_parallel_for* parallel_for) {

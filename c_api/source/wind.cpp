@@ -83,11 +83,6 @@ windrow_result write_texels(windrow_texel texel, const Write& write) {
 }
 
 template <class Number>
-std::span<Number> numbers(void* texels, std::uint64_t count) {
-    return {static_cast<Number*>(texels), static_cast<std::size_t>(count)};
-}
-
-template <class Number>
 glm::dvec3 point_at(const unsigned char* from) {
     std::array<Number, 3> place;
     std::memcpy(place.data(), from, sizeof place);

@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "examples" / "python")]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "bindings/python/windrow")]
 import make_bindings
 from c_header import Header
 from mirrors import mirrors, title
@@ -87,8 +87,8 @@ class Headers(unittest.TestCase):
         made = make_bindings.Interface(changed, {"base.h": HEADER})
         self.assertIn("enum { WINDROW_FORM_ROUND = 0, WINDROW_FORM_FLAT = 1, WINDROW_FORM_BENT = 2 };", made.headers["base.h"])
         said = mirrors(made.parsed)
-        for path, value in (("python/windrow_c/air.py", "FORM_BENT = 2"), ("csharp/windrow_c/Air.cs", "Bent = 2"),
-                            ("rust/windrow_c/air.rs", "pub const FORM_BENT: Form = 2;")):
+        for path, value in (("bindings/python/windrow/_c/air.py", "FORM_BENT = 2"), ("examples/csharp/windrow_c/Air.cs", "Bent = 2"),
+                            ("examples/rust/windrow_c/air.rs", "pub const FORM_BENT: Form = 2;")):
             self.assertIn(value, said[path])
 
     def test_what_would_break_the_interface_is_rejected(self):
@@ -107,7 +107,8 @@ class Bindings(unittest.TestCase):
         made = {path.relative_to(ROOT).as_posix(): text for path, text in make_bindings.made_files(ROOT, said).items()}
         changed = {path: text for path, text in made.items() if (ROOT / path).read_text(encoding="utf-8") != text}
         for path, there in (("c_api/config.h", FIELD), ("c_api/source/tables.h", "Config, cells, lag, cell_size,"),
-                            ("examples/python/windrow_c/air.py", '("lag", c.c_float)'),
+                            ("bindings/python/windrow/_c/air.py", '("lag", c.c_float)'),
+                            ("bindings/python/windrow/settings.py", "    lag: float = "),
                             ("examples/csharp/windrow_c/Air.cs", "Lag"), ("examples/rust/windrow_c/air.rs", "pub lag: f32,")):
             self.assertIn(there, changed.pop(path))
         self.assertEqual(changed, {})
@@ -119,7 +120,9 @@ class Bindings(unittest.TestCase):
     def test_a_file_that_differs_is_named(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for name in ("c_api", "examples/python", "examples/csharp", "examples/rust"):
+            (root / "fluid").mkdir()
+            shutil.copy2(ROOT / "fluid/version.h", root / "fluid")
+            for name in ("c_api", "bindings/python", "examples/csharp", "examples/rust"):
                 shutil.copytree(ROOT / name, root / name)
             command = [sys.executable, "-B", ROOT / "tools/make_bindings.py", "--root", root, "--check"]
             done = subprocess.run(command, capture_output=True, text=True)
@@ -127,7 +130,8 @@ class Bindings(unittest.TestCase):
             for name, old, new in (("c_api/config.h", "/* [m", "/* [k"), ("c_api/source/tables.h", "(windrow_", "( windrow_"),
                                    ("examples/rust/windrow_c/air.rs", "pub struct", "struct"),
                                    ("examples/csharp/windrow_c/Bodies.cs", "float", "double"),
-                                   ("examples/python/windrow_c/air.py", "c_float", "c_double")):
+                                   ("bindings/python/windrow/_c/air.py", "c_float", "c_double"),
+                                   ("bindings/python/windrow/settings.py", "cell_size: float = 1.0", "cell_size: float = 2.0")):
                 text = (root / name).read_text(encoding="utf-8")
                 self.assertIn(old, text, name)
                 (root / name).write_text(text.replace(old, new, 1), encoding="utf-8")
@@ -139,7 +143,7 @@ class Bindings(unittest.TestCase):
 
 class Layout(unittest.TestCase):
     def test_python_is_laid_out_as_c(self):
-        import windrow_c
+        import _c
         structs = Header(ROOT / "c_api").structs
         lines = [f'printf("{name} %lu\\n", (unsigned long)sizeof({name}));' for name in structs]
         lines += [f'printf("{name}.{field} %lu\\n", (unsigned long)offsetof({name}, {field}));'
@@ -152,8 +156,8 @@ class Layout(unittest.TestCase):
             said = subprocess.run([program], check=True, capture_output=True, text=True).stdout.split()
         for name, number in zip(said[::2], map(int, said[1::2])):
             struct, _, field = name.partition(".")
-            mirror = getattr(windrow_c, title(struct))
-            self.assertEqual(getattr(mirror, field).offset if field else windrow_c.air.c.sizeof(mirror), number, name)
+            mirror = getattr(_c, title(struct))
+            self.assertEqual(getattr(mirror, field).offset if field else _c.air.c.sizeof(mirror), number, name)
         self.assertGreater(len(said), 2 * 600)
 
 

@@ -36,7 +36,7 @@ def example(language, args):
     if language == "c":
         return [args.c]
     if language == "python":
-        return [sys.executable, "-B", args.examples / "python" / "windrow.py"]
+        return [sys.executable, "-B", args.examples / "python" / "follow_player.py"]
     if language == "csharp":
         program = args.work / "follow_player.exe"
         build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", *sorted((args.examples / "csharp").rglob("*.cs"))])
@@ -52,9 +52,9 @@ def check_csharp_layout(args):
     program = args.work / "layout.exe"
     sources = [path for path in (args.examples / "csharp").rglob("*.cs") if path.name != "FollowPlayer.cs"]
     build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", pathlib.Path(__file__).with_name("Layout.cs"), *sources])
-    sys.path.insert(0, str(args.examples / "python"))
-    import windrow_c
-    structs = [kind for kind in vars(windrow_c).values() if isinstance(kind, type) and issubclass(kind, ctypes.Structure)]
+    sys.path.insert(0, str(args.examples.parent / "bindings/python/windrow"))
+    import _c
+    structs = [kind for kind in vars(_c).values() if isinstance(kind, type) and issubclass(kind, ctypes.Structure)]
     expected = {f"{kind.__name__} {ctypes.sizeof(kind)} " + " ".join(str(getattr(kind, name).offset) for name, _ in kind._fields_)
                 for kind in structs}
     said = set(run([tool("mono", "mono-runtime"), program])[1].splitlines())
@@ -70,7 +70,8 @@ def main():
         parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
     args = parser.parse_args()
     args.work.mkdir(parents=True, exist_ok=True)
-    environment = dict(os.environ, LD_LIBRARY_PATH=str(args.library.parent), WINDROW_LIBRARY=str(args.library))
+    environment = dict(os.environ, LD_LIBRARY_PATH=str(args.library.parent), WINDROW_LIBRARY=str(args.library),
+                       PYTHONPATH=str(args.examples.parent / "bindings/python"))
 
     truth = run([args.truth])
     command = example(args.language, args)

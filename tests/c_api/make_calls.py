@@ -12,13 +12,14 @@ from c_header import Header
 BY_HAND = {"windrow_set_allocator", "windrow_set_logger", "windrow_thread_pool_destroy"}
 FILLED_BY_HAND = {"windrow_parallel_for", "windrow_spring_batch", "windrow_cascade_batch", "windrow_skin", "windrow_ground_step",
                   "windrow_query", "windrow_vdb_grid", "windrow_vdb_film", "windrow_vdb_scalar", "windrow_vdb_vector", "windrow_rows", "windrow_motor_id", "windrow_obstacle_id",
-                  "windrow_saved_part"}
+                  "windrow_saved_part", "windrow_transport", "windrow_scalar_transport"}
 # Entries of the arrays whose number no parameter `count` tells.
 LENGTHS = {
     "windrow_blades_vertices": {"heights": "rows", "positions": "2 * count * rows", "normals": "2 * count * rows"},
     "windrow_tree_vertices": {"parts": "part_count", "winds": "part_count"},
     "windrow_mesh_create": {"vertices": "vertex_count", "indices": "3 * triangle_count"},
     "windrow_height_map_create_with_holes": {"heights": "count", "open": "cell_count"},
+    "windrow_workspace_set_obstacles": {"obstacles": "count", "velocities": "count", "spins": "count"},
     "windrow_spring_bands": {"bands": "4"},
     "windrow_swing_steps_make": {"blocks": "4"},
     **{f"windrow_shells_{what}_many": {name: "entries_of(skin)" for name in ("winds", "loads", "directions", "positions")}
@@ -31,6 +32,8 @@ RIGHT_COUNTS = {
     "windrow_wind_set_field": "cells_of(wind)", "windrow_ground_advance": "texels_of(ground)",
     "windrow_voxels_create": "product(cells)", "windrow_height_map_create": "product(corners)",
     "windrow_height_map_create_with_holes": "product(corners)", "windrow_height_map_create_with_holes.cell_count": "product(cells)",
+    **{f"windrow_{operator}": "cells_in(work)" for operator in ("advect", "advect_scalar", "diffuse", "divergence", "solve_poisson",
+                                                               "project")},
 }
 COUNTS = {"count", "cell_count", "rows", "part_count", "vertex_count", "triangle_count"}
 
@@ -83,7 +86,7 @@ class Maker:
         lengths = LENGTHS.get(name, {})
         counted = any(kind == "uint64_t" and parameter in COUNTS for kind, parameter in parameters)
         # Counts come first: arrays are made to their measure. What a count is measured by comes before it.
-        order = sorted(parameters, key=lambda p: 0 if p[1] in ("wind", "ground", "cells", "corners", "skin") and "*" not in p[0].removesuffix("*")
+        order = sorted(parameters, key=lambda p: 0 if p[1] in ("wind", "work", "ground", "cells", "corners", "skin") and "*" not in p[0].removesuffix("*")
                        and not (p[1] == "cells" and "*" in p[0]) else 1 if p[1] in COUNTS else 2)
         written = {}
         for kind, parameter in order:

@@ -74,6 +74,10 @@ std::uint64_t cells_of(const windrow_wind* wind) {
     return windrow_wind_cell_count(wind);
 }
 
+std::uint64_t cells_in(const windrow_workspace* work) {
+    return windrow_workspace_cell_count(work);
+}
+
 std::uint64_t entries_of(const windrow_skin* skin) {
     return skin != nullptr ? skin->count : 0;
 }
@@ -144,6 +148,29 @@ void fill(World& world, windrow_rows& rows) {
 
 // As many as the largest box of a story has cells: the structs of files do not count them.
 constexpr std::uint64_t k_values = 12 * 12 * 12;
+
+void fill(World& world, windrow_transport& transport) {
+    (void)windrow_transport_init(&transport, sizeof transport);
+    world.number(transport.dt, "dt");
+    transport.carried = world.array<windrow_vec4>(k_values);
+    transport.velocity = world.one_in(4) ? transport.carried : world.array<windrow_vec4>(k_values);
+    transport.velocity_old = world.one_in(2) ? nullptr : world.array<windrow_vec4>(k_values);
+    transport.history = world.one_in(2) ? nullptr : world.array<windrow_vec4>(k_values);
+    for (float* const number : {&transport.history_scale, &transport.extrapolation, &transport.relaxation})
+        if (world.changes())
+            world.number(*number, "");
+    world.choose(transport.interpolation, {0, 1});
+}
+
+void fill(World& world, windrow_scalar_transport& transport) {
+    (void)windrow_scalar_transport_init(&transport, sizeof transport);
+    world.number(transport.dt, "dt");
+    transport.carried = world.array<float>(k_values);
+    transport.velocity = world.array<windrow_vec4>(k_values);
+    world.number(transport.outside, "outside");
+    transport.clamped = world.one_in(2);
+    world.choose(transport.interpolation, {0, 1});
+}
 
 void fill(World& world, windrow_vdb_scalar& grid) {
     grid = {world.text(), world.text(), world.array<float>(k_values), 0.0f, 0};
@@ -385,6 +412,9 @@ void World::begin() {
     windrow_thread_pool* pool = nullptr;
     (void)windrow_thread_pool_create(2, &pool);
     keep(pool);
+    windrow_workspace* work = nullptr;
+    (void)windrow_workspace_create(&config, &work);
+    keep(work);
 }
 
 World::~World() {
@@ -398,6 +428,7 @@ World::~World() {
     all(&windrow_tracer_destroy, static_cast<windrow_tracer*>(nullptr));
     all(&windrow_ground_destroy, static_cast<windrow_ground*>(nullptr));
     all(&windrow_wind_destroy, static_cast<windrow_wind*>(nullptr));
+    all(&windrow_workspace_destroy, static_cast<windrow_workspace*>(nullptr));
     all(&windrow_ambient_wind_destroy, static_cast<windrow_ambient_wind*>(nullptr));
     all(&windrow_event_log_destroy, static_cast<windrow_event_log*>(nullptr));
     all(&windrow_bytes_destroy, static_cast<windrow_bytes*>(nullptr));

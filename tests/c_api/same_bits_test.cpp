@@ -1,11 +1,13 @@
 // The C interface beside the C++ one in one program: the same calls give the same bits, and its memory hook covers what it says.
 #include "fluid/allocator.h"
+#include "fluid/operators.h"
 #include "fluid/wind.h"
 
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
@@ -16,6 +18,7 @@ namespace {
 
 struct Destroy {
     void operator()(windrow_wind* wind) const { windrow_wind_destroy(wind); }
+    void operator()(windrow_workspace* work) const { windrow_workspace_destroy(work); }
     void operator()(windrow_height_map* map) const { windrow_height_map_destroy(map); }
 };
 template <class Handle>
@@ -32,6 +35,127 @@ Owned<windrow_wind> make(const windrow_config& config) {
     windrow_wind* wind = nullptr;
     EXPECT_EQ(windrow_wind_create(&config, &wind), WINDROW_OK) << windrow_last_error();
     return Owned<windrow_wind>(wind);
+}
+
+// Each operator on the caller's arrays, with an obstacle that moves and an open end, gives what the C++ one does.
+TEST(CApi, OperatorsGiveTheBitsOfCpp) {
+    using Field = std::vector<glm::vec4>;
+    auto config = initial<windrow_config>(windrow_config_init);
+    config.cells = {12, 7, 9};
+    config.cell_size = 0.5f;
+    config.boundaries = windrow_boundaries_open_over_floor();
+    config.ambient = {2.0f, 0.0f, 1.0f};
+    windrow_workspace* made = nullptr;
+    ASSERT_EQ(windrow_workspace_create(&config, &made), WINDROW_OK) << windrow_last_error();
+    const Owned<windrow_workspace> c(made);
+    auto cpp = windrow::Workspace::create(
+        {.box = {.cells = {12, 7, 9}, .cell_size = 0.5f, .boundaries = windrow::Boundaries::open_over_floor()},
+         .ambient = {2.0f, 0.0f, 1.0f}});
+    ASSERT_TRUE(cpp);
+    const std::uint64_t count = windrow_workspace_cell_count(c.get());
+    ASSERT_EQ(count, cpp->box().cell_count());
+
+    auto block = initial<windrow_obstacle>(windrow_obstacle_init);
+    block.position = {3.0, 1.0, 2.2};
+    block.orientation = {0.0f, 0.6f, 0.0f, 1.6f}; // of length 1.7
+    const windrow_vec3 velocity{1.0f, 0.0f, 0.5f}, spin{0.0f, 2.0f, 0.0f};
+    ASSERT_EQ(windrow_workspace_set_obstacles(c.get(), &block, &velocity, &spin, 1), WINDROW_OK) << windrow_last_error();
+    const windrow::PlacedObstacle placed{.position = {3.0f, 1.0f, 2.2f},
+                                         .axes = glm::mat3_cast(glm::normalize(glm::quat(1.6f, 0.0f, 0.6f, 0.0f))),
+                                         .velocity = {1.0f, 0.0f, 0.5f},
+                                         .spin = {0.0f, 2.0f, 0.0f}};
+    ASSERT_TRUE(cpp->set_obstacles({&placed, 1}));
+
+    const auto of_c = [](auto& field) { return reinterpret_cast<windrow_vec4*>(field.data()); };
+    Field wind(count), old(count);
+    std::vector<float> smoke(count), scalar_c(count), scalar_cpp(count);
+    for (std::size_t n = 0; n < count; ++n) {
+        const auto x = static_cast<float>(n);
+        wind[n] = {2.0f + std::sin(0.37f * x), std::sin(0.11f * x), std::cos(0.23f * x), 0.0f};
+        old[n] = 0.9f * wind[n];
+        smoke[n] = std::sin(0.05f * x);
+    }
+    Field field_c(count), field_cpp(count), slope_c(count), slope_cpp(count);
+    const auto equal = [&](const char* what) {
+        EXPECT_EQ(std::memcmp(field_c.data(), field_cpp.data(), count * sizeof(glm::vec4)), 0) << what;
+        EXPECT_EQ(std::memcmp(scalar_c.data(), scalar_cpp.data(), count * sizeof(float)), 0) << what;
+    };
+
+    auto transport = initial<windrow_transport>(windrow_transport_init);
+    transport.dt = 0.1f;
+    transport.carried = transport.velocity = of_c(wind);
+    transport.velocity_old = of_c(old);
+    transport.extrapolation = 0.7f;
+    ASSERT_EQ(windrow_advect(c.get(), &transport, of_c(field_c), count), WINDROW_OK) << windrow_last_error();
+    windrow::advect(*cpp, {.carried = wind, .velocity = wind, .velocity_old = old, .extrapolation = 0.7f, .dt = 0.1f}, field_cpp);
+    equal("advect");
+
+    auto carried = initial<windrow_scalar_transport>(windrow_scalar_transport_init);
+    carried.dt = 0.1f;
+    carried.carried = smoke.data();
+    carried.velocity = of_c(wind);
+    carried.clamped = 1;
+    carried.outside = 0.25f;
+    ASSERT_EQ(windrow_advect_scalar(c.get(), &carried, scalar_c.data(), count), WINDROW_OK);
+    ASSERT_TRUE(
+        windrow::advect(*cpp, {.carried = smoke, .velocity = wind, .dt = 0.1f, .outside = 0.25f, .clamped = true}, scalar_cpp));
+    equal("advect_scalar");
+
+    for (const float viscosity : {0.0f, 0.1f, 5.0f}) {
+        windrow_diffusion_method method = -1;
+        ASSERT_EQ(windrow_diffuse(c.get(), of_c(wind), viscosity, 0.1f, of_c(field_c), &method, count), WINDROW_OK);
+        const auto taken = windrow::diffuse(*cpp, wind, viscosity, 0.1f, field_cpp);
+        ASSERT_TRUE(taken);
+        EXPECT_EQ(method, static_cast<windrow_diffusion_method>(*taken));
+        equal("diffuse");
+    }
+
+    ASSERT_EQ(windrow_divergence(c.get(), of_c(wind), scalar_c.data(), count), WINDROW_OK);
+    windrow::divergence(*cpp, wind, scalar_cpp);
+    equal("divergence");
+    scalar_c = scalar_cpp = smoke;
+    ASSERT_EQ(windrow_solve_poisson(c.get(), scalar_c.data(), count), WINDROW_OK);
+    windrow::solve_poisson(*cpp, scalar_cpp);
+    equal("solve_poisson");
+
+    field_c = field_cpp = wind;
+    ASSERT_EQ(windrow_project(c.get(), of_c(field_c), of_c(slope_c), smoke.data(), count), WINDROW_OK);
+    windrow::project(*cpp, field_cpp, slope_cpp, smoke);
+    equal("project");
+    EXPECT_EQ(std::memcmp(slope_c.data(), slope_cpp.data(), count * sizeof(glm::vec4)), 0);
+    windrow_vec3 impulse{};
+    ASSERT_EQ(windrow_workspace_impulse_on(c.get(), 0, &impulse), WINDROW_OK);
+    const glm::vec3 wanted = cpp->impulse_on(0);
+    EXPECT_EQ(glm::vec3(impulse.x, impulse.y, impulse.z), wanted);
+    EXPECT_NE(wanted, glm::vec3(0.0f));
+    EXPECT_EQ(windrow_workspace_impulse_on(c.get(), 1, &impulse), WINDROW_REJECTED);
+}
+
+TEST(CApi, OperatorsRejectFieldsThatDoNotFit) {
+    auto config = initial<windrow_config>(windrow_config_init);
+    config.cells = {4, 4, 4};
+    windrow_workspace* made = nullptr;
+    ASSERT_EQ(windrow_workspace_create(&config, &made), WINDROW_OK);
+    const Owned<windrow_workspace> work(made);
+    std::vector<windrow_vec4> wind(65);
+    const auto rejects = [](windrow_result result, const char* sentence) {
+        EXPECT_EQ(result, WINDROW_REJECTED);
+        EXPECT_STREQ(windrow_last_error(), sentence);
+    };
+    rejects(windrow_project(work.get(), wind.data(), nullptr, nullptr, 63),
+            "count is 63: give 64, the number of cells of the workspace.");
+    rejects(windrow_project(work.get(), nullptr, nullptr, nullptr, 64), "velocity is null: give an array of 64 cells.");
+    rejects(windrow_project(work.get(), wind.data(), wind.data() + 1, nullptr, 64),
+            "gradient is within the memory of velocity: give an array of its own.");
+    auto* const odd = reinterpret_cast<windrow_vec4*>(&wind[0].y);
+    rejects(windrow_project(work.get(), odd, nullptr, nullptr, 64), "velocity is not aligned to 16 bytes.");
+    rejects(windrow_diffuse(work.get(), wind.data(), -1.0f, 0.1f, wind.data(), nullptr, 64),
+            "result is within the memory of field: give an array of its own.\nviscosity is -1: give 0 to 1e+09.");
+    auto transport = initial<windrow_transport>(windrow_transport_init);
+    transport.carried = transport.velocity = wind.data();
+    transport.dt = -1.0f;
+    transport.interpolation = 7;
+    rejects(windrow_advect(work.get(), &transport, wind.data(), 64), "transport.interpolation is 7: give 0 to 1.");
 }
 
 // Defaults are those of C++, to the bit.

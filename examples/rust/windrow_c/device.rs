@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports)]
 use super::air::*;
 use super::bodies::*;
+use super::operators::*;
 use super::plants::*;
 use std::mem::size_of;
 use std::os::raw::{c_char, c_void};

@@ -3,6 +3,7 @@ import ctypes as c
 
 from .air import *
 from .bodies import *
+from .operators import *
 from .plants import *
 
 P = c.POINTER

@@ -3,6 +3,7 @@ import ctypes as c
 
 from .air import *
 from .bodies import *
+from .operators import *
 
 P = c.POINTER
 PLANT_GRASS = 0; PLANT_WHEAT = 1; PLANT_REED = 2; PLANT_LEAF = 3; PLANT_TWIG = 4; PLANT_BRANCH = 5;

@@ -1,5 +1,5 @@
-// What g++'s static libraries take from glibc 2.35 and 2.36, made of what older ones have, so that the portable command runs with
-// glibc 2.34. Linked into it alone; hidden, so that nothing else in the process uses these.
+// What g++'s static libraries take from glibc 2.35 and 2.36, made of what older ones have, so that what is portable (windrow_portable of
+// WindrowCompile.cmake) runs with glibc 2.34. Hidden, so that nothing else in the process uses these.
 #include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -49,7 +49,7 @@ int look_at(dl_phdr_info* object, std::size_t, void* data) {
 
 } // namespace
 
-// For the unwinder: the table of the object that holds an address. Exceptions of the command are rare, so that a search is fast
+// For the unwinder: the table of the object that holds an address. Exceptions are rare, so that a search is fast
 // enough.
 extern "C" int _dl_find_object(void* address, dl_find_object* found) noexcept {
     Search search{reinterpret_cast<std::uintptr_t>(address), found};

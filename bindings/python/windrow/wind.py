@@ -1,0 +1,373 @@
+"""The wind in a box that follows a player, with its motors and obstacles."""
+from __future__ import annotations
+
+import ctypes
+import os
+from typing import Any, Literal, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _c
+from ._library import Handle, WindrowError, check, fail, library, taken_bytes
+from ._values import Floats, Quat, Vec3, _choice, _numbers, field, pointer, view
+from .settings import (Advance, Boundaries, Box, Config, Diagnostics, DirectionalMotor, Gusts, JetMotor, Obstacle, ObstacleForce,
+                       OmniMotor, PressureMotor, Sampling, VortexMotor, WakeMotor)
+
+Motor = Union[DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor]
+Frame = Literal["now", "previous"]
+_FRAMES = ("now", "previous")
+_MOTORS = {DirectionalMotor: "directional", WakeMotor: "wake", JetMotor: "jet", VortexMotor: "vortex", OmniMotor: "omni",
+           PressureMotor: "pressure"}
+_KINDS = tuple(_MOTORS.values())
+
+
+class ThreadPool:
+    """Threads that many winds may share, the caller's among them; 0: one a core. Results do not depend on their number."""
+
+    def __init__(self, threads: int = 0) -> None:
+        self._handle = Handle(lambda out: library.windrow_thread_pool_create(threads, out), "windrow_thread_pool_destroy")
+
+    def __len__(self) -> int:
+        return int(library.windrow_thread_pool_size(self._handle.pointer))
+
+    @property
+    def _loop(self) -> Any:
+        return library.windrow_thread_pool_parallel_for(self._handle.pointer)
+
+
+class MotorId:
+    """Names a motor of one wind."""
+
+    __slots__ = ("_id",)
+
+    def __init__(self, name: Any) -> None:
+        self._id = name
+
+
+class ObstacleId:
+    """Names an obstacle of one wind."""
+
+    __slots__ = ("_id",)
+
+    def __init__(self, name: Any) -> None:
+        self._id = name
+
+
+class Motors:
+    """The motors of a wind, at most 4096. A call with the id of a motor that ended or was removed fails with the kind "stale"."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+
+    def _call(self, what: str, motor: Motor) -> tuple[Any, Any]:
+        kind = _MOTORS.get(type(motor))
+        if kind is None:
+            raise WindrowError(f"motor is a {type(motor).__name__}: give a DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor "
+                               "or PressureMotor.")
+        keep: list[Any] = []
+        return getattr(library, f"windrow_wind_{what}_{kind}"), motor._to_c(keep)
+
+    def add(self, motor: Motor) -> MotorId:
+        call, struct = self._call("add", motor)
+        name = _c.MotorId()
+        check(call(self._handle.pointer, ctypes.byref(struct), ctypes.byref(name)))
+        return MotorId(name)
+
+    def set(self, motor: MotorId, to: Motor) -> None:
+        """Replaces a motor whole; its kind may change."""
+        call, struct = self._call("set", to)
+        check(call(self._handle.pointer, motor._id, ctypes.byref(struct)))
+
+    def move(self, motor: MotorId, position: Vec3) -> None:
+        """To where it is at the end of the coming step or frame."""
+        check(library.windrow_wind_move_motor(self._handle.pointer, motor._id, _numbers("position", position, _c.DVec3)))
+
+    def remove(self, motor: MotorId) -> None:
+        check(library.windrow_wind_remove_motor(self._handle.pointer, motor._id))
+
+    def kind(self, motor: MotorId) -> str:
+        """"directional", "wake", "jet", "vortex", "omni" or "pressure"."""
+        kind = ctypes.c_int32()
+        check(library.windrow_wind_motor_kind(self._handle.pointer, motor._id, ctypes.byref(kind)))
+        return _KINDS[kind.value]
+
+    def __contains__(self, motor: MotorId) -> bool:
+        kind = ctypes.c_int32()
+        return bool(library.windrow_wind_motor_kind(self._handle.pointer, motor._id, ctypes.byref(kind)) == _c.OK)
+
+    def __len__(self) -> int:
+        return int(library.windrow_wind_motor_count(self._handle.pointer))
+
+
+class Obstacles:
+    """The obstacles of a wind, at most 16384: bodies, buildings and grounds that the air flows around."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+
+    def add(self, obstacle: Obstacle) -> ObstacleId:
+        keep: list[Any] = []
+        name = _c.ObstacleId()
+        check(library.windrow_wind_add_obstacle(self._handle.pointer, ctypes.byref(obstacle._to_c(keep)), ctypes.byref(name)))
+        return ObstacleId(name)
+
+    def set(self, obstacle: ObstacleId, to: Obstacle) -> None:
+        """Replaces it whole; it pushes no air on the way."""
+        keep: list[Any] = []
+        check(library.windrow_wind_set_obstacle(self._handle.pointer, obstacle._id, ctypes.byref(to._to_c(keep))))
+
+    def move(self, obstacle: ObstacleId, position: Vec3, orientation: Quat | None = None, spin: Vec3 | None = None) -> None:
+        """To where it is at the end of the coming step or frame. None: it keeps its orientation.
+
+        `spin` [rad/s] about its position along the world's axes is that of a wheel or a propeller, which two poses do not tell; None: by
+        the poses, the shorter way.
+        """
+        turned = None if orientation is None else ctypes.byref(_numbers("orientation", orientation, _c.Quat))
+        spun = None if spin is None else ctypes.byref(_numbers("spin", spin, _c.Vec3))
+        check(library.windrow_wind_move_obstacle(self._handle.pointer, obstacle._id, _numbers("position", position, _c.DVec3), turned,
+                                                 spun))
+
+    def remove(self, obstacle: ObstacleId) -> None:
+        check(library.windrow_wind_remove_obstacle(self._handle.pointer, obstacle._id))
+
+    def force_on(self, obstacle: ObstacleId) -> ObstacleForce:
+        """What the pressure of the air did to it in the last step."""
+        struct = ObstacleForce()._to_c([])
+        check(library.windrow_wind_force_on(self._handle.pointer, obstacle._id, ctypes.byref(struct)))
+        return ObstacleForce._from_c(struct)
+
+    def __len__(self) -> int:
+        return int(library.windrow_wind_obstacle_count(self._handle.pointer))
+
+
+class EventLog:
+    """Every accepted call that changed a wind, to repeat them: `wind.record_to(log)`, then `log.replay(another)`."""
+
+    def __init__(self, data: bytes | None = None) -> None:
+        saved = data or b""
+        self._handle = Handle(library.windrow_event_log_create if data is None else
+                              lambda out: library.windrow_event_log_from_bytes(saved, len(saved), out), "windrow_event_log_destroy")
+
+    def replay(self, wind: Wind) -> None:
+        """Repeats all calls on a wind in the state in which the log began."""
+        check(library.windrow_event_log_replay(self._handle.pointer, wind._handle.pointer))
+
+    def to_bytes(self) -> bytes:
+        return taken_bytes(lambda out: library.windrow_event_log_to_bytes(self._handle.pointer, out))
+
+    def clear(self) -> None:
+        check(library.windrow_event_log_clear(self._handle.pointer))
+
+    def __len__(self) -> int:
+        return int(library.windrow_event_log_count(self._handle.pointer))
+
+
+class Wind:
+    """The wind in a box of cells that follows a player: right-handed, y up, metres and seconds.
+
+        wind = windrow.Wind(windrow.Config(ambient=(3, 0, 0)))
+        wind.follow(player)
+        wind.advance(1 / 60)
+        wind.velocity(leaf)
+
+    One thread at a time may use a wind; other threads of Python run during its calls. `pool`: threads for its own loops; None: the
+    caller's alone.
+    """
+
+    def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None) -> None:
+        keep: list[Any] = []
+        struct = (config or Config())._to_c(keep)
+        if pool is not None:
+            struct.parallel_for = pool._loop
+        self._take(Handle(lambda out: library.windrow_wind_create(ctypes.byref(struct), out), "windrow_wind_destroy",
+                          *([pool._handle] if pool else [])))
+
+    @classmethod
+    def load(cls, saved: bytes, *, pool: ThreadPool | None = None) -> Wind:
+        """A wind that goes on from what `save` returned."""
+        loop = None if pool is None else ctypes.byref(pool._loop)
+        wind = cls.__new__(cls)
+        wind._take(Handle(lambda out: library.windrow_wind_load(saved, len(saved), loop, out), "windrow_wind_destroy",
+                          *([pool._handle] if pool else [])))
+        return wind
+
+    def _take(self, handle: Handle) -> None:
+        self._handle = handle
+        self._wind = handle.pointer
+        self._found = _c.Vec3()
+        self._found_at = ctypes.byref(self._found)
+        self._velocity = library.windrow_wind_velocity
+        self._query = _c.Query()
+        self._query_at = ctypes.byref(self._query)
+        check(library.windrow_query_init(self._query_at, ctypes.sizeof(self._query)))
+        self._velocities_at = ctypes.c_void_p.from_buffer(self._query, _c.Query.velocities.offset)
+        self._log: EventLog | None = None
+        self.motors = Motors(handle)
+        self.obstacles = Obstacles(handle)
+
+    # --- Time
+    def step(self, dt: float) -> Diagnostics:
+        """Advances by dt [s] at once; reads then give the air after the step."""
+        report = Diagnostics()._to_c([])
+        check(library.windrow_wind_step(self._wind, dt, ctypes.byref(report)))
+        return Diagnostics._from_c(report)
+
+    def advance(self, dt: float) -> Advance:
+        """Advances by a frame of dt [s] in fixed ticks (Config.ticks_hz); reads then give the air at the frame, between two ticks."""
+        report = Advance()._to_c([])
+        check(library.windrow_wind_advance(self._wind, dt, ctypes.byref(report), None))
+        return Advance._from_c(report)
+
+    # --- Place and ambient wind
+    def follow(self, point: Vec3) -> None:
+        """Centres the box on a point, to whole cells."""
+        check(library.windrow_wind_follow(self._wind, _numbers("point", point, _c.DVec3)))
+
+    def set_floor(self, height: float) -> None:
+        """[m] Height of the box's low y face, to whole cells."""
+        check(library.windrow_wind_set_floor(self._wind, height))
+
+    def shift_origin(self, offset: Vec3) -> None:
+        """The origin of the world has moved: all places that the wind holds move by whole cells [m], and no air changes."""
+        check(library.windrow_wind_shift_origin(self._wind, _numbers("offset", offset, _c.DVec3)))
+
+    @property
+    def box(self) -> Box:
+        struct = Box()._to_c([])
+        check(library.windrow_wind_box(self._wind, ctypes.byref(struct)))
+        return Box._from_c(struct)
+
+    def centres(self) -> npt.NDArray[np.float64]:
+        """[m] World positions of the cells' centres, indexed [z, y, x, component]. Rows of one thickness alone."""
+        box = self.box
+        if box.size[1] != np.float32(box.cell_size) * box.cells[1]:
+            raise WindrowError("the box has rows of unequal thickness: centres are those of Config.rows.")
+        axes = [box.origin[n] + (np.arange(box.cells[n]) + 0.5) * box.cell_size for n in range(3)]
+        z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
+        return np.stack([x, y, z], axis=-1)
+
+    @property
+    def ambient(self) -> tuple[float, float, float]:
+        """[m/s] The mean wind; may be set."""
+        mean = library.windrow_wind_ambient(self._wind)
+        return (mean.x, mean.y, mean.z)
+
+    @ambient.setter
+    def ambient(self, mean: Vec3) -> None:
+        check(library.windrow_wind_set_ambient(self._wind, _numbers("ambient", mean, _c.Vec3)))
+
+    def set_gusts(self, gusts: Gusts) -> None:
+        keep: list[Any] = []
+        check(library.windrow_wind_set_gusts(self._wind, ctypes.byref(gusts._to_c(keep))))
+
+    def set_boundaries(self, boundaries: Boundaries) -> None:
+        check(library.windrow_wind_set_boundaries(self._wind, ctypes.byref(boundaries._to_c([]))))
+
+    # --- Setting the air
+    def set_field(self, velocity: npt.ArrayLike) -> None:
+        """All cells [m/s], indexed [z, y, x, component], of three components or four."""
+        cells, _ = field("velocity", velocity, self._grid())
+        check(library.windrow_wind_set_field(self._wind, cells.ctypes.data_as(ctypes.POINTER(_c.Vec4)), cells.size // 4))
+
+    def reset(self) -> None:
+        """All cells become the ambient wind."""
+        check(library.windrow_wind_reset(self._wind))
+
+    # --- Reading the air
+    def velocity(self, position: Vec3) -> tuple[float, float, float]:
+        """[m/s] At a world point, within the box or beyond it."""
+        try:
+            place = _c.DVec3(*position)
+        except TypeError:
+            place = _numbers("position", position, _c.DVec3)
+        result = self._velocity(self._wind, place, self._found_at)
+        if result:
+            fail(result)
+        found = self._found
+        return (found.x, found.y, found.z)
+
+    def felt(self, position: Vec3, sampling: Sampling | None = None) -> tuple[float, float, float]:
+        """[m/s] That acts on a plant there."""
+        found = _c.Vec3()
+        struct = (sampling or Sampling())._to_c([])
+        check(library.windrow_wind_felt(self._wind, _numbers("position", position, _c.DVec3), ctypes.byref(struct), ctypes.byref(found)))
+        return (found.x, found.y, found.z)
+
+    def sample(self, positions: npt.ArrayLike, sampling: Sampling | None = None, *, frame: Frame = "now",
+               out: Floats | None = None) -> Floats:
+        """[m/s] At many world points: an array (..., 3) of floats or doubles. With `sampling` what acts on plants there.
+
+        `out`, an array of float32 of the same shape, receives the result and is returned.
+        """
+        points = np.asarray(positions, order="C")
+        if points.dtype.char not in "fd":
+            points = points.astype(np.float64)
+        if points.ndim == 0 or points.shape[-1] != 3:
+            raise WindrowError(f"positions have shape {points.shape}: give (..., 3).")
+        if out is None:
+            out = np.empty(points.shape, np.float32)
+        elif out.shape != points.shape or out.dtype.char != "f" or not out.flags.c_contiguous or not out.flags.writeable:
+            raise WindrowError(f"out has shape {out.shape} of {out.dtype}: give a writable, contiguous {points.shape} of float32.")
+        query = self._query
+        query.frame = _choice("frame", frame, _FRAMES)
+        query.count = points.size // 3
+        query.positions = points.ctypes.data
+        query.number = _c.NUMBER_FLOAT if points.dtype.char == "f" else _c.NUMBER_DOUBLE
+        self._velocities_at.value = out.ctypes.data
+        query.sampling = None if sampling is None else ctypes.pointer(sampling._to_c([]))
+        result = library.windrow_wind_sample(self._wind, self._query_at)
+        if result:
+            fail(result)
+        return out
+
+    def field(self, frame: Frame = "now") -> Floats:
+        """A view of the cells [m/s], indexed [z, y, x, component] with x, y, z, 0; it cannot be written to.
+
+        It shows the wind's own memory: after the next change of the wind its content is that of some later moment. Copy what must stay.
+        """
+        cells = ctypes.POINTER(_c.Vec4)()
+        count = ctypes.c_uint64()
+        check(library.windrow_wind_field(self._wind, _choice("frame", frame, _FRAMES), ctypes.byref(cells), ctypes.byref(count), None))
+        return view(ctypes.addressof(cells.contents), (*self._grid(), 4), ctypes.c_float, self._handle)
+
+    def half_vectors(self, frame: Frame = "now") -> npt.NDArray[np.float16]:
+        """One texture of x, y, z, 0 as halfs, indexed [z, y, x, component]: what a shader samples."""
+        texels = np.empty((*self._grid(), 4), np.float16)
+        check(library.windrow_wind_write_vectors(self._wind, _choice("frame", frame, _FRAMES), _c.TEXEL_HALF, pointer(texels), texels.size))
+        return texels
+
+    def inside_obstacles(self) -> npt.NDArray[np.bool_]:
+        """Which cells have their centre inside an obstacle, indexed [z, y, x]."""
+        cells = np.empty(self._grid(), np.float32)
+        check(library.windrow_wind_write_obstacles(self._wind, cells.ctypes.data_as(ctypes.POINTER(ctypes.c_float)), cells.size))
+        inside: npt.NDArray[np.bool_] = cells != 0.0
+        return inside
+
+    def pressure(self) -> Floats:
+        """[m^2/s^2] Pressure over the air's density at the end of the last step, indexed [z, y, x]."""
+        cells = np.empty(self._grid(), np.float32)
+        check(library.windrow_wind_write_pressure(self._wind, cells.ctypes.data_as(ctypes.POINTER(ctypes.c_float)), cells.size))
+        return cells
+
+    # --- Keeping
+    def save(self) -> bytes:
+        """The whole state; `Wind.load` goes on from there with the same bits."""
+        return taken_bytes(lambda out: library.windrow_wind_save(self._wind, out))
+
+    def record_to(self, log: EventLog | None) -> None:
+        """Notes every accepted call that changes the wind; None: no longer."""
+        check(library.windrow_wind_record_to(self._wind, None if log is None else log._handle.pointer))
+        self._log = log
+
+    def write_vdb(self, path: str | os.PathLike[str]) -> None:
+        """Writes the cells as an OpenVDB file; a library without OpenVDB fails with the kind "unsupported" (windrow.has_part("vdb"))."""
+        check(library.windrow_vdb_write(self._wind, os.fsencode(path), None))
+
+    @property
+    def memory_bytes(self) -> int:
+        return int(library.windrow_wind_memory_bytes(self._wind))
+
+    def _grid(self) -> tuple[int, int, int]:
+        cells = self.box.cells
+        return (cells[2], cells[1], cells[0])
