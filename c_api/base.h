@@ -30,7 +30,7 @@ WINDROW_C_API const char* windrow_version_string(void);
 
 /* Parts that a build may leave out. Their functions are always there; without the part they return WINDROW_UNSUPPORTED. */
 typedef int32_t windrow_part;
-enum { WINDROW_PART_COUPLING = 0, WINDROW_PART_VDB = 1, WINDROW_PART_VULKAN = 2 };
+enum { WINDROW_PART_COUPLING = 0, WINDROW_PART_VDB = 1, WINDROW_PART_VULKAN = 2, WINDROW_PART_SCENE = 3 };
 /* 1 if this library has the part. */
 WINDROW_C_API int32_t windrow_has_part(windrow_part part);
 

@@ -27,6 +27,7 @@
 #include "c_api/obstacles.h"
 #include "c_api/operators.h"
 #include "c_api/plants.h"
+#include "c_api/scene.h"
 #include "c_api/shader_blocks.h"
 #include "c_api/tracer.h"
 #include "c_api/vdb.h"

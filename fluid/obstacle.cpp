@@ -265,8 +265,8 @@ float least_rise(const Ground& ground, const GroundPart& part, glm::vec3 begin, 
     const numerics::WindrowGrid grid = ground.heights->grid();
     const glm::vec2 texel = grid.spacing * glm::vec2(ground.scale.x, ground.scale.z);
     const glm::vec2 start = glm::vec2(from.x, from.z) / texel, way = glm::vec2(to.x, to.z) / texel - start;
-    const auto rise = [&](float part) {
-        const glm::vec3 at = glm::mix(from, to, part);
+    const auto rise = [&](float fraction) {
+        const glm::vec3 at = glm::mix(from, to, fraction);
         return at.y - height_at(ground, at);
     };
     // The next line of the grid that each axis meets; beyond the edge there is none.

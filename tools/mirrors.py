@@ -11,7 +11,7 @@ from c_header import common
 
 PARTS = {"air": ("base.h", "config.h", "ambient.h", "shader_blocks.h", "wind.h", "event_log.h", "tracer.h"),
          "bodies": ("motors.h", "obstacles.h"),
-         "operators": ("operators.h",),
+         "operators": ("operators.h", "scene.h"),
          "plants": ("plants.h", "motion.h"),
          "device": ("vdb.h", "vulkan_host.h", "vulkan_wind.h", "vulkan_ground.h")}
 PYTHON_FOLDER = "bindings/python/windrow/_c"

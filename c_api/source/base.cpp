@@ -89,6 +89,8 @@ WINDROW_EXPORT int32_t windrow_has_part(windrow_part part) {
         return WINDROW_C_VDB;
     case WINDROW_PART_VULKAN:
         return WINDROW_C_VULKAN;
+    case WINDROW_PART_SCENE:
+        return WINDROW_C_SCENE;
     default:
         return 0;
     }

@@ -17,12 +17,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -141,6 +144,12 @@ template <class To, class From>
     static_assert(sizeof(To) == sizeof(Plain) && alignof(To) <= alignof(Plain) && std::is_const_v<To> == std::is_const_v<From> &&
                   std::is_trivially_copyable_v<std::remove_const_t<To>> && std::is_trivially_copyable_v<Plain>);
     return reinterpret_cast<To*>(from);
+}
+
+/// A path of the API, whose text is UTF-8 on every system.
+[[nodiscard]] inline std::filesystem::path path_of(const char* utf8) {
+    const std::string_view text(utf8);
+    return std::u8string(text.begin(), text.end());
 }
 
 /// A host's array of numbers whose type the call names; empty where it is null.

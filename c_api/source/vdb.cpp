@@ -72,10 +72,6 @@ std::vector<Cpp> grids_of(const C* list, std::uint32_t number, std::uint64_t cou
     return grids;
 }
 
-std::filesystem::path path_of(const char* utf8) {
-    return std::filesystem::path(reinterpret_cast<const char8_t*>(utf8));
-}
-
 template <class Use>
 windrow_result with_options(const windrow_vdb_options* options, const Use& use) {
     if (options == nullptr)

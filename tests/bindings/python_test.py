@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
-"""python_test.py [--long]: the Python package against the library of WINDROW_LIBRARY, used as its reader would.
-
---long: times, memory over many winds, threads.
-"""
+"""python_test.py: the Python package against the library of WINDROW_LIBRARY, used as its reader would. What it costs: python_costs_test.py."""
+import csv
 import ctypes
 import dataclasses
 import gc
 import math
+import os
 import pathlib
-import resource
+import subprocess
 import sys
 import tempfile
 import threading
@@ -20,7 +19,6 @@ import numpy as np
 import windrow
 from windrow import _c, _library, settings
 
-LONG = "--long" in sys.argv
 REPORTS = {"Advance", "Box", "Diagnostics", "ObstacleForce"}  # filled by the library
 
 
@@ -269,6 +267,76 @@ class Winds(unittest.TestCase):
         self.assertIn("part is 'x'", sentence_of(self, lambda: windrow.has_part("x")))
 
 
+SCENE = """{
+    "duration": 1, "tick_hz": 60, "frames_per_second": 7,
+    "air": {"cells": [12, 8, 12], "ambient": [2, 0, 0], "boundaries": {"y_low": "free_slip"}},
+    "paths": {"way": {"points": [[0, -4, 1, 0], [1, 4, 1, 0]]}},
+    "motors": [{"name": "fan", "kind": "directional", "from": 0.5}, {"name": "runner", "kind": "wake", "path": "way"}],
+    "obstacles": [{"name": "house", "position": [1, 1, 2], "shape": {"block": {"half_size": [1, 1, 1]}}}]
+}"""
+
+
+class Scenes(unittest.TestCase):
+    def test_a_scene_is_played(self):
+        scene = windrow.Scene("played.json", text=SCENE)
+        self.assertEqual((scene.time, scene.duration, scene.frames_per_second), (0.0, 1.0, 7.0))
+        self.assertEqual((scene.motor_names, scene.obstacle_names), (["fan", "runner"], ["house"]))
+        self.assertIsNone(scene.motor("fan"))
+        self.assertIn("the scene has no motor 'fun'", sentence_of(self, lambda: scene.motor("fun")))
+        while scene.time < 0.7:
+            self.assertTrue(scene.step().stepped)
+        self.assertEqual(scene.wind.motors.kind(scene.motor("fan")), "directional")
+        self.assertGreater(scene.wind.obstacles.force_on(scene.obstacle("house")).force[0], 0.5)
+        self.assertTrue(scene.wind.inside_obstacles().any())
+
+        saved = scene.save()
+        other = windrow.Scene("played.json", text=SCENE)
+        other.restore(saved)
+        for played in (scene, other):
+            while played.time < 1.0:
+                played.step()
+        self.assertEqual(scene.save(), other.save())
+        self.assertEqual(other.wind.motors.kind(other.motor("fan")), "directional")
+        self.assertNotEqual(saved, scene.save())
+        wind = other.wind
+        del other
+        gc.collect()
+        self.assertEqual(len(wind.motors), 2)  # it holds the scene
+
+    @unittest.skipUnless("WINDROW_COMMAND" in os.environ, "no command was built")
+    def test_its_air_is_that_of_the_command(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "played.json"
+            file.write_text(SCENE, encoding="utf-8")
+            subprocess.run([os.environ["WINDROW_COMMAND"], "run", file, "--csv", "--out", folder], check=True, capture_output=True)
+            with open(next(pathlib.Path(folder).glob("*.csv")), encoding="utf-8", newline="") as table:
+                rows = list(csv.DictReader(table))
+        self.assertGreater(len(rows), 50)
+        scene = windrow.Scene("played.json", text=SCENE)
+        for row in rows:
+            report = scene.step()
+            self.assertAlmostEqual(float(row["time_s"]), scene.time, places=9)
+            self.assertAlmostEqual(float(row["energy_m5_s2"]) / report.energy, 1.0, places=8)
+            self.assertAlmostEqual(float(row["max_speed_m_s"]) / report.max_speed, 1.0, places=5)
+
+    def test_frames_in_ticks(self):
+        scene = windrow.Scene("played.json", text=SCENE)
+        ticks = sum(scene.advance(1 / 50).ticks for _ in range(50))
+        self.assertAlmostEqual(scene.time, 1.0)
+        self.assertEqual(ticks, 30)  # Config.ticks_hz is the wind's own
+
+    def test_faults_are_sentences(self):
+        for text, expected in (("{", "played.json"), (SCENE.replace('"fan"', '"fan", "fan": 1'), "$.motors[0].fan is not a known key"),
+                               (SCENE.replace("[12, 8, 12]", "[0, 8, 12]"), "$.air.cells")):
+            self.assertIn(expected, sentence_of(self, lambda: windrow.Scene("played.json", text=text)))
+        self.assertIn("no/such.json", sentence_of(self, lambda: windrow.Scene("no/such.json")))
+        scene = windrow.Scene("played.json", text=SCENE)
+        self.assertTrue(sentence_of(self, lambda: scene.restore(b"nothing")))
+        before = scene.save()
+        self.assertIn("scene", sentence_of(self, lambda: scene.restore(windrow.Scene("few.json", text="{}").save())))
+        self.assertEqual(scene.save(), before)
+
+
 class Operators(unittest.TestCase):
     """The slopes of theory, as a reader would find them."""
 
@@ -396,63 +464,5 @@ class Plants(unittest.TestCase):
         self.assertAlmostEqual(windrow.Springs("grass", 0.0).spring.damping, windrow.spring_of("grass").damping)
 
 
-@unittest.skipUnless(LONG, "takes half a minute")
-class Costs(unittest.TestCase):
-    def test_ten_thousand_winds_leave_no_memory_behind(self):
-        def make(count):
-            for _ in range(count):
-                wind = windrow.Wind(windrow.Config(cells=(8, 8, 8)))
-                wind.obstacles.add(windrow.Obstacle())
-                wind.step(1 / 60)
-                wind.field()
-        def held():
-            with open("/proc/self/statm", encoding="ascii") as file:
-                return int(file.read().split()[1]) * resource.getpagesize()
-        make(500)
-        before = held()
-        make(10000)
-        self.assertLess(held() - before, 4 << 20)
-
-    def test_a_point_and_many(self):
-        wind = windrow.Wind(over_floor())
-        points = np.random.default_rng(3).uniform(-10, 10, (10000, 3))
-        out = np.empty(points.shape, np.float32)
-        one = min(timed(lambda: [wind.velocity((1.0, 2.0, 3.0)) for _ in range(2000)]) for _ in range(7)) / 2000
-        query = _c.Query()
-        _library.check(_library.library.windrow_query_init(ctypes.byref(query), ctypes.sizeof(query)))
-        query.count, query.positions = len(points), points.ctypes.data
-        query.velocities = out.ctypes.data_as(ctypes.POINTER(ctypes.c_float))
-        call, place = _library.library.windrow_wind_sample, ctypes.byref(query)
-        in_c, many = math.inf, math.inf
-        for _ in range(50):  # interleaved
-            in_c = min(in_c, timed(lambda: call(wind._wind, place)))
-            many = min(many, timed(lambda: wind.sample(points, out=out)))
-        print(f"[figure] python_point = {1e6 * one:.2f} us (bound 2)\n[figure] python_points = {many / in_c:.3f} of the call in C (bound 1.05)")
-        self.assertLess(one, 2e-6)
-        self.assertLess(many / in_c, 1.05)
-
-    def test_two_threads_step_two_winds_at_once(self):
-        """On a free machine: how much of two cores both use. What does not depend on that is Winds.test_python_runs_during_a_call."""
-        winds = [windrow.Wind(windrow.Config(cells=(64, 32, 64), ambient=(3, 0, 0))) for _ in range(2)]
-        def steps(wind):
-            wind.motors.add(windrow.JetMotor())
-            for _ in range(60):
-                wind.step(1 / 60)
-        threads = [threading.Thread(target=steps, args=(wind,)) for wind in winds]
-        wall, cpu = time.perf_counter(), time.process_time()
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        ratio = (time.process_time() - cpu) / (time.perf_counter() - wall)
-        print(f"[figure] python_two_threads = {ratio:.2f} cores (1.7 on a free machine)")
-
-
-def timed(call):
-    start = time.perf_counter()
-    call()
-    return time.perf_counter() - start
-
-
 if __name__ == "__main__":
-    unittest.main(argv=[argument for argument in sys.argv if argument != "--long"])
+    unittest.main()

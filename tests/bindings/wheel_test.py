@@ -76,7 +76,8 @@ def main():
         print(said.strip())
         if "at the leaf" in block:
             expect(said == "3.19 m/s at the leaf\n", f"README's lines print {said}")
-    print(run([python, "-B", args.root / "tests/bindings/python_test.py", "--long"], cwd=args.work, env=environment).strip())
+    for tests in ("python_test.py", "python_costs_test.py"):
+        print(run([python, "-B", args.root / "tests/bindings" / tests], cwd=args.work, env=environment).strip())
 
     times = [float(run([python, "-B", "-c", "import time, numpy, dataclasses, enum, typing; t = time.perf_counter(); import windrow; "
                         "print(1e3 * (time.perf_counter() - t))"], cwd=args.work, env=environment)) for _ in range(7)]

@@ -415,6 +415,12 @@ void World::begin() {
     windrow_workspace* work = nullptr;
     (void)windrow_workspace_create(&config, &work);
     keep(work);
+    constexpr std::string_view k_scene = R"({"duration": 1, "air": {"cells": [8, 6, 8], "ambient": [2, 0, 0]},
+        "motors": [{"name": "fan", "kind": "directional"}], "obstacles": [{"name": "house", "shape": {"block": {}}}]})";
+    windrow_scene* scene = nullptr;
+    if (windrow_scene_parse(k_scene.data(), k_scene.size(), "story.json", nullptr, &scene) != WINDROW_OK)
+        fail(std::string("the scene: ") + windrow_last_error());
+    keep(scene);
 }
 
 World::~World() {
@@ -428,6 +434,7 @@ World::~World() {
     all(&windrow_tracer_destroy, static_cast<windrow_tracer*>(nullptr));
     all(&windrow_ground_destroy, static_cast<windrow_ground*>(nullptr));
     all(&windrow_wind_destroy, static_cast<windrow_wind*>(nullptr));
+    all(&windrow_scene_destroy, static_cast<windrow_scene*>(nullptr));
     all(&windrow_workspace_destroy, static_cast<windrow_workspace*>(nullptr));
     all(&windrow_ambient_wind_destroy, static_cast<windrow_ambient_wind*>(nullptr));
     all(&windrow_event_log_destroy, static_cast<windrow_event_log*>(nullptr));

@@ -156,7 +156,7 @@ class World {
                std::vector<windrow_event_log*>, std::vector<windrow_wind*>, std::vector<windrow_ambient_wind*>,
                std::vector<windrow_tracer*>, std::vector<windrow_ground*>, std::vector<windrow_cascade*>,
                std::vector<windrow_cascade_step*>, std::vector<windrow_blades*>, std::vector<windrow_shells*>,
-               std::vector<windrow_tree*>, std::vector<windrow_workspace*>>
+               std::vector<windrow_tree*>, std::vector<windrow_workspace*>, std::vector<windrow_scene*>>
         pools_;
 };
 

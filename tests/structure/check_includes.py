@@ -27,7 +27,7 @@ ABOVE = {
     "gpu": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "fluid": ("coupling", "c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "coupling": ("c_api", "scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
-    "c_api": ("scene", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
+    "c_api": ("pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "scene": ("c_api", "pictures", "vegetation", "cases", "cli", "examples", "tests"),
     "pictures": ("coupling", "c_api", "scene", "vegetation", "cases", "cli", "examples", "tests"),
     "vegetation": ("c_api", "cases", "cli", "examples", "tests"),

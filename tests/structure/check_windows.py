@@ -16,9 +16,9 @@ import tempfile
 
 FOLDERS = ("gpu", "fluid", "fluid/cpu", "fluid/vulkan", "c_api/source", "c_api/source/vulkan")
 # Of this machine, and the same for each; all of its other headers would stand before MinGW's.
-HEADERS = ("glm", "vulkan", "vk_video")
+HEADERS = ("glm", "vulkan", "vk_video", "nlohmann")
 OPTIONS = ("-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wno-sign-conversion", "-Werror",
-           "-DVK_NO_PROTOTYPES", "-DWINDROW_C_BUILDS", "-DWINDROW_C_COUPLING=1", "-DWINDROW_C_VDB=1", "-DWINDROW_C_VULKAN=1")
+           "-DVK_NO_PROTOTYPES", "-DWINDROW_C_BUILDS", "-DWINDROW_C_COUPLING=1", "-DWINDROW_C_VDB=1", "-DWINDROW_C_VULKAN=1", "-DWINDROW_C_SCENE=1")
 
 
 def main():

@@ -21,13 +21,14 @@ from .forms import (AlignedBox, Block, Capsule, Cone, Cylinder, Drive, Force, Gr
                     TriangleMesh, VoxelGrid, VoxelShape, WakeDrive, WakeForce)
 from .operators import Workspace
 from .plants import Blades, Shells, Springs, bend_angle, drag_of, plant_keys, spring_of
+from .scene import Scene
 from .settings import *  # noqa: F403
 from .wind import EventLog, MotorId, Motors, ObstacleId, Obstacles, ThreadPool, Wind
 
 
 def has_part(part: str) -> bool:
-    """Whether the library was built with "coupling" (plants), "vdb" or "vulkan"."""
-    parts = ("coupling", "vdb", "vulkan")
+    """Whether the library was built with "coupling" (plants), "scene", "vdb" or "vulkan"."""
+    parts = ("coupling", "vdb", "vulkan", "scene")
     if part not in parts:
-        raise WindrowError(f"part is {part!r}: give 'coupling', 'vdb' or 'vulkan'.")
+        raise WindrowError(f"part is {part!r}: give 'coupling', 'scene', 'vdb' or 'vulkan'.")
     return bool(_c_library.windrow_has_part(parts.index(part)))

@@ -76,6 +76,13 @@ class Handle:
         self.pointer = pointer
         self._destroy = getattr(library, destroy)
 
+    @classmethod
+    def part_of(cls, owner: Handle, pointer: int) -> Handle:
+        """An object that belongs to another one."""
+        handle = cls.__new__(cls)
+        handle._destroy, handle._keeps, handle.pointer = None, (owner,), ctypes.c_void_p(pointer)
+        return handle
+
     def __del__(self) -> None:
         if self._destroy is not None:
             self._destroy(self.pointer)

@@ -192,6 +192,13 @@ class Wind:
                           *([pool._handle] if pool else [])))
         return wind
 
+    @classmethod
+    def _of(cls, pointer: int, owner: Handle) -> Wind:
+        """The wind of another object."""
+        wind = cls.__new__(cls)
+        wind._take(Handle.part_of(owner, pointer))
+        return wind
+
     def _take(self, handle: Handle) -> None:
         self._handle = handle
         self._wind = handle.pointer

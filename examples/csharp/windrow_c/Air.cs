@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace Windrow
 {
-    public enum Part { Coupling = 0, Vdb = 1, Vulkan = 2 }
+    public enum Part { Coupling = 0, Vdb = 1, Vulkan = 2, Scene = 3 }
     public enum Result { Ok = 0, Rejected = -1, Stale = -2, OutOfMemory = -3, CannotWrite = -4, DiskFull = -5,
         Unsupported = -6, NotReady = -7, DeviceLost = -9, Unexpected = -8 }
     public enum Severity { Warning = 0, Error = 1 }

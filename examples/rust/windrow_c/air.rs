@@ -4,6 +4,7 @@ use std::mem::size_of;
 use std::os::raw::{c_char, c_void};
 
 pub type Part = i32; pub const PART_COUPLING: Part = 0; pub const PART_VDB: Part = 1; pub const PART_VULKAN: Part = 2;
+pub const PART_SCENE: Part = 3;
 pub type ResultCode = i32; pub const OK: ResultCode = 0; pub const REJECTED: ResultCode = -1;
 pub const STALE: ResultCode = -2; pub const OUT_OF_MEMORY: ResultCode = -3; pub const CANNOT_WRITE: ResultCode = -4;
 pub const DISK_FULL: ResultCode = -5; pub const UNSUPPORTED: ResultCode = -6; pub const NOT_READY: ResultCode = -7;

@@ -55,4 +55,25 @@ extern "C" {
     pub fn windrow_project(
         work: *mut c_void, velocity: *mut Vec4, gradient: *mut Vec4, expansion: *const f32, count: u64
     ) -> ResultCode;
+    pub fn windrow_scene_load(
+        path: *const c_char, parallel_for: *const ParallelFor, scene: *mut *mut c_void
+    ) -> ResultCode;
+    pub fn windrow_scene_parse(
+        text: *const c_char, size: u64, path: *const c_char, parallel_for: *const ParallelFor, scene: *mut *mut c_void
+    ) -> ResultCode;
+    pub fn windrow_scene_destroy(scene: *mut c_void);
+    pub fn windrow_scene_wind(scene: *mut c_void) -> *mut c_void;
+    pub fn windrow_scene_step(scene: *mut c_void, diagnostics: *mut Diagnostics) -> ResultCode;
+    pub fn windrow_scene_advance(scene: *mut c_void, dt: f64, advance: *mut Advance) -> ResultCode;
+    pub fn windrow_scene_time(scene: *const c_void) -> f64;
+    pub fn windrow_scene_duration(scene: *const c_void) -> f64;
+    pub fn windrow_scene_frames_per_second(scene: *const c_void) -> f64;
+    pub fn windrow_scene_motor_count(scene: *const c_void) -> i32;
+    pub fn windrow_scene_motor_name(scene: *const c_void, place: i32) -> *const c_char;
+    pub fn windrow_scene_obstacle_count(scene: *const c_void) -> i32;
+    pub fn windrow_scene_obstacle_name(scene: *const c_void, place: i32) -> *const c_char;
+    pub fn windrow_scene_motor(scene: *const c_void, name: *const c_char, id: *mut MotorId) -> ResultCode;
+    pub fn windrow_scene_obstacle(scene: *const c_void, name: *const c_char, id: *mut ObstacleId) -> ResultCode;
+    pub fn windrow_scene_save(scene: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_scene_restore(scene: *mut c_void, bytes: *const c_void, size: u64) -> ResultCode;
 }

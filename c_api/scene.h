@@ -1,0 +1,68 @@
+/*
+ * A scene file, played in a wind on the CPU: the same air as that of `windrow run` (scene/scene_air.h, docs/scenes.md).
+ *
+ *     windrow_scene* scene = NULL;
+ *     if (windrow_scene_load("fan.json", NULL, &scene) != WINDROW_OK)
+ *         return puts(windrow_last_error()), 2;
+ *     while (windrow_scene_time(scene) < windrow_scene_duration(scene))
+ *         windrow_scene_step(scene, NULL);
+ *     windrow_wind_velocity(windrow_scene_wind(scene), leaf, &velocity);
+ *     windrow_scene_destroy(scene);
+ *
+ * Motors and obstacles come, move and go as the file says; a host may add more to the wind. The files that a scene names are sought beside
+ * it: OBJ, .vox, and heights as PGM, ESRI grids or raw numbers.
+ */
+#ifndef WINDROW_C_API_SCENE_H
+#define WINDROW_C_API_SCENE_H
+
+#include "base.h"
+#include "motors.h"
+#include "obstacles.h"
+#include "wind.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct windrow_scene windrow_scene;
+/* Reads the file `path` (UTF-8) and begins its air at time 0. A fault of the file is one sentence, a line each. The logger is warned of
+   what the air lacks. `parallel_for` may be null. */
+WINDROW_C_API windrow_result windrow_scene_load(const char* path, const windrow_parallel_for* parallel_for,
+                                                windrow_scene** scene);
+/* The same from `size` bytes of JSON; `path` begins the sentences, and the files that it names are sought beside it. */
+WINDROW_C_API windrow_result windrow_scene_parse(const char* text, uint64_t size, const char* path,
+                                                 const windrow_parallel_for* parallel_for, windrow_scene** scene);
+/* The wind too. */
+WINDROW_C_API void windrow_scene_destroy(windrow_scene* scene);
+/* Its wind, which takes all calls of wind.h, motors.h and obstacles.h but its own end and its own time; it is the scene's. */
+WINDROW_C_API windrow_wind* windrow_scene_wind(windrow_scene* scene);
+
+/* One step, as `windrow run` makes it: at most a tick of the scene, so that frames are at the ends of steps. `diagnostics` may be null. */
+WINDROW_C_API windrow_result windrow_scene_step(windrow_scene* scene, windrow_diagnostics* diagnostics);
+/* A frame of dt [s] in the fixed ticks of the wind (windrow_wind_advance); for a game's loop. Either this or steps. */
+WINDROW_C_API windrow_result windrow_scene_advance(windrow_scene* scene, double dt, windrow_advance* advance);
+/* [s] */
+WINDROW_C_API double windrow_scene_time(const windrow_scene* scene);
+WINDROW_C_API double windrow_scene_duration(const windrow_scene* scene);
+/* Frames a second of the files that `windrow run` writes. */
+WINDROW_C_API double windrow_scene_frames_per_second(const windrow_scene* scene);
+
+/* Number of its motors, and the name of one, by its place in the file; null where there is none. */
+WINDROW_C_API int32_t windrow_scene_motor_count(const windrow_scene* scene);
+WINDROW_C_API const char* windrow_scene_motor_name(const windrow_scene* scene, int32_t place);
+WINDROW_C_API int32_t windrow_scene_obstacle_count(const windrow_scene* scene);
+WINDROW_C_API const char* windrow_scene_obstacle_name(const windrow_scene* scene, int32_t place);
+/* The first that is in the air under a name. WINDROW_STALE: the scene has it at other times; WINDROW_REJECTED: it has none. */
+WINDROW_C_API windrow_result windrow_scene_motor(const windrow_scene* scene, const char* name, windrow_motor_id* id);
+WINDROW_C_API windrow_result windrow_scene_obstacle(const windrow_scene* scene, const char* name, windrow_obstacle_id* id);
+
+/* The clock and the air as bytes. */
+WINDROW_C_API windrow_result windrow_scene_save(const windrow_scene* scene, windrow_bytes** bytes);
+/* Goes on from there, in a scene of the same file; handles of its motors and obstacles stay good. */
+WINDROW_C_API windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

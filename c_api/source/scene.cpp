@@ -1,0 +1,186 @@
+// Calls of scene.h.
+#include "c_api/scene.h"
+
+#include "c_api/source/tables.h"
+#include "fluid/core/message.h"
+#include "fluid/saved_parts.h"
+#include "scene/scene_air.h"
+#include "scene/scene_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+using namespace windrow;
+using namespace windrow::c_api;
+
+struct windrow_scene {
+    std::unique_ptr<const scene::Scene> scene; ///< stays where it is: the air refers to it
+    scene::SceneAir air;
+    WindOf<Wind> wind;
+    ParallelFor parallel_for{};
+};
+
+namespace {
+
+constexpr const char* k_clock = "scene";
+constexpr const char* k_wind = "wind";
+
+/// Begins the air of a scene.
+windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* parallel_for, windrow_scene** out) {
+    if (!read)
+        return done(read);
+    for (const std::string& warning : read->warnings)
+        warn(warning.c_str());
+    auto scene = std::make_unique<const scene::Scene>(*std::move(read));
+    Config config = scene->air;
+    config.parallel_for = loop_of(parallel_for);
+    auto wind = Wind::create(config);
+    if (!wind)
+        return done(wind);
+    const scene::Scene& there = *scene;
+    auto made = std::unique_ptr<windrow_scene>(
+        new windrow_scene{std::move(scene), scene::SceneAir(there), WindOf<Wind>(*std::move(wind)), config.parallel_for});
+    if (const auto begun = made->air.begin(made->wind.air); !begun)
+        return done(begun);
+    *out = made.release();
+    return WINDROW_OK;
+}
+
+/// What is in the air under a name, of the scene's motors or obstacles.
+template <class Parts, class Id, class CId>
+windrow_result find(const Parts& parts, const char* kind, std::string_view name, Id id, const auto& lives, CId* out) {
+    if (lives(id)) {
+        *out = {id.slot, id.generation, id.owner};
+        return WINDROW_OK;
+    }
+    if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.name == name; }))
+        return fail(WINDROW_REJECTED, detail::message("the scene has no ", std::string_view(kind), " '", name, "'."));
+    return fail(WINDROW_STALE, detail::message("the ", std::string_view(kind), " '", name, "' is not in the air now."));
+}
+
+template <class Parts>
+const char* name_of_part(const Parts& parts, std::int32_t place) {
+    return place >= 0 && static_cast<std::size_t>(place) < parts.size() ? parts[static_cast<std::size_t>(place)].name.c_str()
+                                                                        : nullptr;
+}
+
+} // namespace
+
+WINDROW_EXPORT windrow_result windrow_scene_load(const char* path, const windrow_parallel_for* parallel_for,
+                                                 windrow_scene** scene) {
+    if (scene != nullptr)
+        *scene = nullptr;
+    return call({{path, "path"}, {scene, "the place of the new handle"}},
+                [&] { return begin(scene::read_scene(path_of(path)), parallel_for, scene); });
+}
+WINDROW_EXPORT windrow_result windrow_scene_parse(const char* text, uint64_t size, const char* path,
+                                                  const windrow_parallel_for* parallel_for, windrow_scene** scene) {
+    if (scene != nullptr)
+        *scene = nullptr;
+    return call({{text, "text"}, {path, "path"}, {scene, "the place of the new handle"}}, [&]() -> windrow_result {
+        if (size > scene::k_max_scene_bytes)
+            return fail(WINDROW_REJECTED,
+                        detail::message("size is ", size, ": give at most ", scene::k_max_scene_bytes, " bytes."));
+        return begin(scene::read_scene_text({text, static_cast<std::size_t>(size)}, path_of(path)), parallel_for, scene);
+    });
+}
+WINDROW_EXPORT void windrow_scene_destroy(windrow_scene* scene) {
+    delete scene;
+}
+WINDROW_EXPORT windrow_wind* windrow_scene_wind(windrow_scene* scene) {
+    return value_of(scene, "scene", [&]() -> windrow_wind* { return &scene->wind; });
+}
+
+WINDROW_EXPORT windrow_result windrow_scene_step(windrow_scene* scene, windrow_diagnostics* diagnostics) {
+    return call({{scene, "scene"}}, [&]() -> windrow_result {
+        if (const windrow_result outcome = check_output(diagnostics); outcome != WINDROW_OK)
+            return outcome;
+        const scene::FrameTimes times = scene->scene->frame_times();
+        const std::int64_t next = scene->air.steps() + 1;
+        if (const auto placed = scene->air.advance_to(scene->wind.air, times.time_of_step(next)); !placed)
+            return done(placed);
+        return windrow_wind_step(&scene->wind, times.length_of_step(next), diagnostics);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_scene_advance(windrow_scene* scene, double dt, windrow_advance* advance) {
+    return call({{scene, "scene"}}, [&]() -> windrow_result {
+        if (!(std::isfinite(dt) && dt >= 0.0))
+            return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
+        if (const windrow_result outcome = check_output(advance); outcome != WINDROW_OK)
+            return outcome;
+        if (const auto placed = scene->air.advance_to(scene->wind.air, scene->air.time() + dt); !placed)
+            return done(placed);
+        return windrow_wind_advance(&scene->wind, dt, advance, nullptr);
+    });
+}
+WINDROW_EXPORT double windrow_scene_time(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return scene->air.time(); });
+}
+WINDROW_EXPORT double windrow_scene_duration(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return scene->scene->duration; });
+}
+WINDROW_EXPORT double windrow_scene_frames_per_second(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return scene->scene->frames_per_second; });
+}
+
+WINDROW_EXPORT int32_t windrow_scene_motor_count(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return static_cast<std::int32_t>(scene->scene->motors.size()); });
+}
+WINDROW_EXPORT const char* windrow_scene_motor_name(const windrow_scene* scene, int32_t place) {
+    return value_of(scene, "scene", [&] { return name_of_part(scene->scene->motors, place); });
+}
+WINDROW_EXPORT int32_t windrow_scene_obstacle_count(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return static_cast<std::int32_t>(scene->scene->obstacles.size()); });
+}
+WINDROW_EXPORT const char* windrow_scene_obstacle_name(const windrow_scene* scene, int32_t place) {
+    return value_of(scene, "scene", [&] { return name_of_part(scene->scene->obstacles, place); });
+}
+WINDROW_EXPORT windrow_result windrow_scene_motor(const windrow_scene* scene, const char* name, windrow_motor_id* id) {
+    return call({{scene, "scene"}, {name, "name"}, {id, "id"}}, [&] {
+        return find(
+            scene->scene->motors, "motor", name, scene->air.motor(name),
+            [&](MotorId found) { return scene->wind.air.motors().find(found) != nullptr; }, id);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_scene_obstacle(const windrow_scene* scene, const char* name, windrow_obstacle_id* id) {
+    return call({{scene, "scene"}, {name, "name"}, {id, "id"}}, [&] {
+        return find(
+            scene->scene->obstacles, "obstacle", name, scene->air.obstacle(name),
+            [&](ObstacleId found) { return scene->wind.air.obstacles().find(found) != nullptr; }, id);
+    });
+}
+
+WINDROW_EXPORT windrow_result windrow_scene_save(const windrow_scene* scene, windrow_bytes** bytes) {
+    if (scene == nullptr)
+        return fail_null("scene");
+    return create(bytes, [&]() -> Result<std::vector<std::byte>> {
+        const auto wind = scene->wind.air.save();
+        if (!wind)
+            return wind.failure();
+        const std::vector<std::byte> clock = scene->air.save();
+        const std::array parts{SavedPart{k_clock, clock}, SavedPart{k_wind, *wind}};
+        return join_parts(parts);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size) {
+    return call({{scene, "scene"}, {bytes, "bytes"}}, [&]() -> windrow_result {
+        const auto parts = split_parts({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
+        if (!parts)
+            return done(parts);
+        const auto clock = find_part(*parts, k_clock), air = find_part(*parts, k_wind);
+        if (!clock || !air)
+            return done(clock ? air : clock);
+        auto wind = Wind::load(*air, scene->parallel_for);
+        if (!wind)
+            return done(wind);
+        if (const auto placed = scene->air.load(*clock); !placed)
+            return done(placed);
+        scene->wind.air = *std::move(wind);
+        return WINDROW_OK;
+    });
+}

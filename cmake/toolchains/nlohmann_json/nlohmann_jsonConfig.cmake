@@ -1,0 +1,13 @@
+# As glm/glmConfig.cmake: headers of this machine that are the same everywhere, in a folder of their own.
+find_path(WINDROW_HOST_JSON nlohmann/json.hpp PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+if(NOT WINDROW_HOST_JSON)
+  set(nlohmann_json_FOUND FALSE)
+  return()
+endif()
+set(json_headers ${CMAKE_BINARY_DIR}/host_headers)
+file(MAKE_DIRECTORY ${json_headers})
+file(CREATE_LINK ${WINDROW_HOST_JSON}/nlohmann ${json_headers}/nlohmann SYMBOLIC)
+if(NOT TARGET nlohmann_json::nlohmann_json)
+  add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
+  target_include_directories(nlohmann_json::nlohmann_json SYSTEM INTERFACE ${json_headers})
+endif()
