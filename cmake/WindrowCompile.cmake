@@ -4,6 +4,8 @@ option(WINDROW_PRECOMPILE "Precompile the headers that most files of a target in
 # itself, and so does an outside project that sets nothing.
 set(WINDROW_UNITY 0 CACHE STRING "Files that are compiled as one; 0: each by itself")
 
+option(WINDROW_PORTABLE "Link the command and the library in C for any Linux with glibc 2.34: libraries of C++ within them" OFF)
+
 # windrow_compile(TARGET [LIGHT])
 #
 # -ffp-contract=off: a product and a sum stay two roundings unless a kernel asks for a fused one by name, so that one
@@ -14,7 +16,9 @@ set(WINDROW_UNITY 0 CACHE STRING "Files that are compiled as one; 0: each by its
 function(windrow_compile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg LIGHT "" "")
   set(level -O3)
-  if(arg_LIGHT)
+  if(arg_LIGHT AND WINDROW_PORTABLE)
+    set(level -Os) # what is copied to other machines is downloaded
+  elseif(arg_LIGHT)
     set(level -O1)
   endif()
   # Files of the project write "fluid/box.h", users <windrow/fluid/box.h>: what links a target gets no folder of ours but that.
@@ -76,7 +80,6 @@ endfunction()
 
 # windrow_portable(TARGET): what is built to be copied to other machines (the preset portable, the wheels of Python) holds the libraries of
 # C++, and no function that nothing calls.
-option(WINDROW_PORTABLE "Link the command and the library in C for any Linux with glibc 2.34: libraries of C++ within them" OFF)
 if(WINDROW_PORTABLE)
   add_compile_options(-ffunction-sections -fdata-sections)
 endif()
@@ -84,6 +87,7 @@ function(windrow_portable target)
   if(NOT WINDROW_PORTABLE)
     return()
   endif()
+  target_compile_options(${target} PRIVATE -Os) # loops that take time are in the libraries within it
   target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc -Wl,--gc-sections)
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/portable_glibc.cpp)

@@ -17,8 +17,7 @@ OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DWINDROW_UNITY=8", "-DWINDROW_PORTABL
 PLATFORMS = {
     "linux": ("manylinux_2_34_x86_64", "libwindrow.so", []),
     "arm64": ("manylinux_2_34_aarch64", "libwindrow.so", [f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/arm64.cmake"]),
-    # Each file by itself: MinGW's linker leaves out what nothing calls by files alone.
-    "windows": ("win_amd64", "libwindrow.dll", [f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/windows.cmake", "-DWINDROW_UNITY=0"]),
+    "windows": ("win_amd64", "libwindrow.dll", [f"-DCMAKE_TOOLCHAIN_FILE={ROOT}/cmake/toolchains/windows.cmake"]),
 }
 
 
