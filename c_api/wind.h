@@ -238,6 +238,18 @@ WINDROW_C_API windrow_result windrow_wind_write_pressure(windrow_wind* wind, flo
 /* The cells, and where their box was; the memory is the wind's, until its next change. `origin` may be null. */
 WINDROW_C_API windrow_result windrow_wind_field(const windrow_wind* wind, windrow_frame frame, const windrow_vec4** cells,
                                                 uint64_t* count, windrow_dvec3* origin);
+typedef int32_t windrow_field_format;
+enum {
+    WINDROW_FIELD_FGA = 0, /* Unreal Engine */
+    WINDROW_FIELD_VF = 1,  /* Unity */
+    WINDROW_FIELD_RAW = 2, /* a 3D texture of halfs; its size and place in a .json beside it */
+    WINDROW_FIELD_NPZ = 3, /* numpy */
+    WINDROW_FIELD_VTI = 4  /* ParaView */
+};
+/* Writes the cells, with those inside obstacles where the format holds them, as a file of an engine or an analyst: axes, units and what
+   is done with rows of unequal thickness are in fluid/field_files.h. `path` is UTF-8; `time` [s] is written where the format has it. */
+WINDROW_C_API windrow_result windrow_wind_write_field(const windrow_wind* wind, const char* path, windrow_field_format format,
+                                                      double time);
 /* Nearest half of a float, and back. */
 WINDROW_C_API uint16_t windrow_to_half(float value);
 WINDROW_C_API float windrow_from_half(uint16_t half);

@@ -47,10 +47,18 @@ Flags::Read read_length(const char* flag, std::optional<double>& length, const R
 }
 
 // speed,vorticity
-void read_grids(const std::string& text, scene::VdbGrids& grids) {
+/// use(word) for each word of a list with commas.
+template <class Use>
+void for_each_word(const std::string& text, const Use& use) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
+        use(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+void read_grids(const std::string& text, scene::VdbGrids& grids) {
+    for_each_word(text, [&](const std::string& word) {
         bool known = false;
         for_each_setting(grids, [&](const auto& row, bool& wanted) {
             known = known || word == row.name;
@@ -58,8 +66,7 @@ void read_grids(const std::string& text, scene::VdbGrids& grids) {
         });
         if (!known)
             reject("--grids has ", shown(word), ": give some of speed, vorticity, divergence, pressure, density, with commas.");
-        begin = end + 1;
-    }
+    });
 }
 
 } // namespace
@@ -89,6 +96,20 @@ void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request) {
     flags.value("--voxel", "M", "Edge of a voxel in metres; default that of the cells",
                 read_length("--voxel", request.voxel_size, Range::above(0.0, 1e6)));
     command.add_flag("--nanovdb", request.nanovdb, "Write .nvdb in place of .vdb");
+}
+
+std::vector<FieldFormat> read_formats(const std::string& text) {
+    std::vector<FieldFormat> formats;
+    for_each_word(text, [&](const std::string& word) {
+        const auto& words = k_words<FieldFormat>;
+        const auto found = std::find(words.begin(), words.end(), word);
+        if (found == words.end())
+            reject("--fields has ", shown(word), ": give some of fga, vf, raw, npz, vti, with commas.");
+        const auto format = static_cast<FieldFormat>(found - words.begin());
+        if (std::find(formats.begin(), formats.end(), format) == formats.end())
+            formats.push_back(format);
+    });
+    return formats;
 }
 
 void check_film(const FilmRequest& request, bool vdb) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "cli/flags.h"
+#include "fluid/field_files.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace windrow::cli {
@@ -33,6 +35,8 @@ struct Frames {
 void add_film(Flags& flags, FilmRequest& request);
 /// Adds those of VDB files.
 void add_vdb(Flags& flags, CLI::App& command, FilmRequest& request);
+/// The formats of --fields.
+[[nodiscard]] std::vector<FieldFormat> read_formats(const std::string& text);
 /// Rejects flags that exclude each other, and flags of VDB files where none are kept.
 void check_film(const FilmRequest& request, bool vdb);
 /// Writes into the scene what was asked for; rejects what it, the build or the backend cannot give.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string_view>
+#include <utility>
 
 namespace windrow::cli {
 
@@ -61,9 +62,9 @@ Fault fault_of(const Result<void>& drawn) {
 
 } // namespace
 
-FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, const Frames& frames,
-                         [[maybe_unused]] const ParallelFor& parallel_for)
-    : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), first_(frames.first),
+FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb,
+                         std::vector<FieldFormat> fields, const Frames& frames, [[maybe_unused]] const ParallelFor& parallel_for)
+    : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), fields_(std::move(fields)), first_(frames.first),
       last_(frames.first + frames.count - 1), digits_(4) {
     for (std::int64_t limit = 10'000; limit <= last_; limit *= 10)
         ++digits_;
@@ -89,8 +90,9 @@ Fault FrameWriter::write(Playback& playback, std::int64_t n) {
         if (auto fault = write_picture(playback, frame))
             return fault;
     if (vdb_)
-        return write_vdb(playback, frame);
-    return {};
+        if (auto fault = write_vdb(playback, frame))
+            return fault;
+    return fields_.empty() ? Fault{} : write_fields(playback, frame);
 }
 
 Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
@@ -162,6 +164,28 @@ Fault FrameWriter::write_vdb([[maybe_unused]] Playback& playback, [[maybe_unused
     return {};
 }
 
+// Before the first step the cells inside bodies hold the velocity of bodies that have appeared, 0, as after each step their body's.
+Fault FrameWriter::write_fields(const Playback& playback, std::int64_t frame) {
+    const auto written = detail::where_memory_lasts([&]() -> Result<void> {
+        const WindView air = playback.wind().view();
+        std::vector<float> inside(air.field().size());
+        if (auto marked = playback.wind().reader().write_obstacles(inside); !marked)
+            return marked;
+        FieldGrid grid = field_grid(air, inside);
+        grid.time = playback.time();
+        for (std::size_t cell = 0; playback.steps() == 0 && cell < grid.velocity.size(); ++cell)
+            if (grid.obstacle[cell] > 0.0f)
+                grid.velocity[cell] = glm::vec4(0.0f);
+        for (const FieldFormat format : fields_) {
+            if (auto file = write_field(folder_ / files_of(format).name(frame), format, grid); !file)
+                return file;
+            ++fields_written_;
+        }
+        return {};
+    });
+    return written ? Fault{} : Fault{.sentence = written.error(), .machine = written.failure().fault != windrow::Fault::rejected};
+}
+
 Fault FrameWriter::write_contact_sheet() {
 #if WINDROW_WITH_IMAGES
     if (pictures_.empty())
@@ -188,7 +212,16 @@ std::string FrameWriter::clear_other_frames(scene::Extent extent) const {
         kept.push_back(images_of());
     if (vdb_)
         kept.push_back({"vel_", scene_->vdb.format == scene::VdbFormat::nanovdb ? ".nvdb" : ".vdb", digits_});
+    for (const FieldFormat format : fields_) {
+        kept.push_back(files_of(format));
+        if (format == FieldFormat::raw)
+            kept.push_back({"wind_", ".json", digits_});
+    }
     return scene::clear_other_frames(folder_, kept, last_, extent);
+}
+
+scene::FrameFiles FrameWriter::files_of(FieldFormat format) const {
+    return {"wind_", message(".", name_of(format)), digits_};
 }
 
 scene::FrameFiles FrameWriter::images_of() const {

@@ -129,6 +129,8 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     run->add_flag("--images", request->images, "Keep frame_0000.png ... and contact_sheet.png");
     run->add_flag("--vdb", request->vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
     add_vdb(flags, *run, request->film);
+    flags.value("--fields", "LIST", "Keep wind_0000.fga ... for engines and analysts: fga, vf, raw, npz, vti, with commas",
+                [request](const std::string& text) { request->fields = read_formats(text); });
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
@@ -162,7 +164,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     cases::Backend backend;
     if (const auto fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
-    const bool keeps = request.vdb || request.images || request.csv;
+    const bool keeps = request.vdb || request.images || request.csv || !request.fields.empty();
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
     OutputFolder output;
     if (keeps)
@@ -182,7 +184,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .console = console,
                  .folder = folder,
                  .frames = *frames,
-                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, *frames, pool->parallel_for()),
+                 .writer =
+                     FrameWriter(*scene, folder, request.images, request.vdb, request.fields, *frames, pool->parallel_for()),
                  .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
                  .timings = {}};
     if (run.csv)

@@ -4,12 +4,14 @@
 #include "cli/backend.h"
 #include "cli/console.h"
 #include "cli/film_request.h"
+#include "fluid/field_files.h"
 #include "fluid/simd.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -24,6 +26,7 @@ struct RunRequest {
     bool vdb = false;
     bool images = false;
     bool csv = false;
+    std::vector<FieldFormat> fields{}; ///< a file a frame of each
     BackendRequest backend{};
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;

@@ -102,6 +102,12 @@ std::string list_files(const RunReport& report) {
             (report.writer.has_contact_sheet() ? " (frame_*.png, contact_sheet.png)" : " (frame_*.png)"));
     if (report.writer.vdbs() > 0)
         add(plural(static_cast<std::int64_t>(report.writer.vdbs()), "VDB file") + " (vel_*.vdb)");
+    if (report.writer.fields() > 0) {
+        std::string names;
+        for (const FieldFormat format : report.writer.field_formats())
+            names += std::string(names.empty() ? "" : ", ") + "wind_*." + name_of(format);
+        add(plural(static_cast<std::int64_t>(report.writer.fields()), "file") + " of fields (" + names + ")");
+    }
     if (report.csv)
         add("timings.csv");
     return text;
@@ -138,7 +144,7 @@ void report_run(const RunReport& report, const Console& console) {
     if (const std::string files = list_files(report); !files.empty())
         console.out << "In " << report.folder.string() << ": " << files << ".\n";
     else
-        console.out << "Nothing was kept: add --images, --vdb or --csv.\n";
+        console.out << "Nothing was kept: add --images, --vdb, --fields or --csv.\n";
     console.out.flush();
 }
 

@@ -3,12 +3,14 @@
 
 #include "c_api/source/tables.h"
 #include "fluid/core/message.h"
+#include "fluid/field_files.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
+#include <vector>
 
 using namespace windrow;
 using namespace windrow::c_api;
@@ -423,6 +425,27 @@ WINDROW_EXPORT windrow_result windrow_wind_field(const windrow_wind* wind, windr
             if (origin != nullptr)
                 *origin = to_c(view.origin());
             return {};
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_wind_write_field(const windrow_wind* wind, const char* path, windrow_field_format format,
+                                                       double time) {
+    return call({{wind, "wind"}, {path, "path"}}, [&]() -> windrow_result {
+        Reasons reasons;
+        FieldFormat wanted{};
+        if (!read_choice(reasons, Path{nullptr, "format"}, format, wanted))
+            return fail(WINDROW_REJECTED, reasons.take());
+        return with_view(wind, WINDROW_FRAME_NOW, [&](const WindView& view) -> windrow_result {
+            std::vector<float> inside(view.field().size());
+            if (const auto written = wind->reader->write_obstacles(inside); !written)
+                return done(written);
+            FieldGrid grid = field_grid(view, inside);
+            grid.time = time;
+            const auto written = write_field(path_of(path), wanted, grid);
+            if (!written)
+                return fail(written.failure().fault == Fault::system_lacks ? WINDROW_DISK_FULL : WINDROW_CANNOT_WRITE,
+                            written.error());
+            return WINDROW_OK;
         });
     });
 }

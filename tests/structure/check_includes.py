@@ -42,7 +42,7 @@ ROOMS = {
     "core": ("fluid/grid/*", "fluid/solids/*"),
     "grid": (),
     "solids": ("fluid/grid/*", "fluid/core/message.h", "fluid/core/bytes.h", "fluid/core/numerics.h"),
-    "files": ("fluid/core/message.h", "fluid/core/validation.h"),
+    "files": ("fluid/core/message.h", "fluid/core/validation.h", "fluid/core/bytes.h"),
     "cpu": NEUTRAL,
     "vulkan": NEUTRAL,
     "vdb": ("fluid/core/*", "fluid/files/*"),

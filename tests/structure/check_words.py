@@ -31,8 +31,8 @@ INSTEAD = {
     r"knows?|lies|lets|lives": "returns, stores, is, holds",
     r"but for|at the moment|by chance": "except; now; random",
 }
-# A name after a point is a field in a code sample: {.share = 0.6f}.
-WORDS = re.compile("|".join(f"(?P<w{n}>(?<!\\.)\\b(?:{words})\\b)" for n, words in enumerate(INSTEAD)), re.IGNORECASE)
+# A name after a point is a field in a code sample, {.share = 0.6f}; after < a tag of a format.
+WORDS = re.compile("|".join(f"(?P<w{n}>(?<![.<])(?<!</)\\b(?:{words})\\b)" for n, words in enumerate(INSTEAD)), re.IGNORECASE)
 # A point after these ends no sentence.
 ABBREVIATIONS = re.compile(r"\b(?:al|e\.g|i\.e|cf|vs|eq|Fig|No|[A-Z])\.$")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")

@@ -16,6 +16,7 @@ from .settings import (Advance, Boundaries, Box, Config, Diagnostics, Directiona
 
 Motor = Union[DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor]
 Frame = Literal["now", "previous"]
+FieldFormat = Literal["fga", "vf", "raw", "npz", "vti"]
 _FRAMES = ("now", "previous")
 _MOTORS = {DirectionalMotor: "directional", WakeMotor: "wake", JetMotor: "jet", VortexMotor: "vortex", OmniMotor: "omni",
            PressureMotor: "pressure"}
@@ -370,6 +371,16 @@ class Wind:
     def write_vdb(self, path: str | os.PathLike[str]) -> None:
         """Writes the cells as an OpenVDB file; a library without OpenVDB fails with the kind "unsupported" (windrow.has_part("vdb"))."""
         check(library.windrow_vdb_write(self._wind, os.fsencode(path), None))
+
+    def write_field(self, path: str | os.PathLike[str], format: FieldFormat | None = None, *, time: float = 0.0) -> None:
+        """Writes the cells as a file of an engine or an analyst; None: the format of the path's suffix.
+
+        fga: Unreal Engine, z up, left-handed, centimetres. vf: Unity, y up, left-handed. raw: a 3D texture of halfs x, y, z, 0, with its
+        size and place in a .json beside it. npz: numpy. vti: ParaView. The last three have the axes of the library.
+        """
+        words = ("fga", "vf", "raw", "npz", "vti")
+        chosen = os.fspath(path).rpartition(".")[2] if format is None else format
+        check(library.windrow_wind_write_field(self._wind, os.fsencode(path), _choice("format", chosen, words), time))
 
     @property
     def memory_bytes(self) -> int:

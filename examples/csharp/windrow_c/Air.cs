@@ -16,6 +16,7 @@ namespace Windrow
     public enum Frame { Now = 0, Previous = 1 }
     public enum Number { Float = 0, Double = 1 }
     public enum Texel { Half = 0, Float = 1 }
+    public enum FieldFormat { Fga = 0, Vf = 1, Raw = 2, Npz = 3, Vti = 4 }
     public static partial class Constants
     {
         public const int FollowDefault = -1, FollowX = 1, FollowY = 2, FollowZ = 4, StageSources = 1,

@@ -27,6 +27,8 @@ pub const DIFFUSION_ONE_PASS: DiffusionMethod = 1; pub const DIFFUSION_IMPLICIT:
 pub type Frame = i32; pub const FRAME_NOW: Frame = 0; pub const FRAME_PREVIOUS: Frame = 1;
 pub type Number = i32; pub const NUMBER_FLOAT: Number = 0; pub const NUMBER_DOUBLE: Number = 1;
 pub type Texel = i32; pub const TEXEL_HALF: Texel = 0; pub const TEXEL_FLOAT: Texel = 1;
+pub type FieldFormat = i32; pub const FIELD_FGA: FieldFormat = 0; pub const FIELD_VF: FieldFormat = 1;
+pub const FIELD_RAW: FieldFormat = 2; pub const FIELD_NPZ: FieldFormat = 3; pub const FIELD_VTI: FieldFormat = 4;
 
 pub type Logger = Option<unsafe extern "C" fn(severity: Severity, sentence: *const c_char, user: *mut c_void)>;
 pub type Allocate = Option<unsafe extern "C" fn(bytes: usize, alignment: usize, user: *mut c_void) -> *mut c_void>;
@@ -451,6 +453,9 @@ extern "C" {
     pub fn windrow_wind_write_pressure(wind: *mut c_void, cells: *mut f32, count: u64) -> ResultCode;
     pub fn windrow_wind_field(
         wind: *const c_void, frame: Frame, cells: *mut *const Vec4, count: *mut u64, origin: *mut DVec3
+    ) -> ResultCode;
+    pub fn windrow_wind_write_field(
+        wind: *const c_void, path: *const c_char, format: FieldFormat, time: f64
     ) -> ResultCode;
     pub fn windrow_to_half(value: f32) -> u16;
     pub fn windrow_from_half(half: u16) -> f32;

@@ -17,6 +17,7 @@ DIFFUSION_NONE = 0; DIFFUSION_ONE_PASS = 1; DIFFUSION_IMPLICIT = 2
 FRAME_NOW = 0; FRAME_PREVIOUS = 1
 NUMBER_FLOAT = 0; NUMBER_DOUBLE = 1
 TEXEL_HALF = 0; TEXEL_FLOAT = 1
+FIELD_FGA = 0; FIELD_VF = 1; FIELD_RAW = 2; FIELD_NPZ = 3; FIELD_VTI = 4
 
 
 class Vec2(c.Structure):
@@ -336,6 +337,7 @@ AIR = [
     ("windrow_wind_write_obstacles", c.c_int32, c.c_void_p, P(c.c_float), c.c_uint64),
     ("windrow_wind_write_pressure", c.c_int32, c.c_void_p, P(c.c_float), c.c_uint64),
     ("windrow_wind_field", c.c_int32, c.c_void_p, c.c_int32, P(P(Vec4)), P(c.c_uint64), P(DVec3)),
+    ("windrow_wind_write_field", c.c_int32, c.c_void_p, c.c_char_p, c.c_int32, c.c_double),
     ("windrow_to_half", c.c_uint16, c.c_float),
     ("windrow_from_half", c.c_float, c.c_uint16),
     ("windrow_wind_window_block", c.c_int32, c.c_void_p, DVec3, P(WindowBlock)),
