@@ -16,8 +16,8 @@ option(WINDROW_PORTABLE "Link the command and the library in C for any Linux wit
 function(windrow_compile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg LIGHT "" "")
   set(level -O3)
-  if(arg_LIGHT AND WINDROW_PORTABLE)
-    set(level -Os) # what is copied to other machines is downloaded
+  if(WINDROW_PORTABLE) # what is copied to other machines is downloaded; the kernels keep -O3 (fluid/CMakeLists.txt)
+    set(level $<IF:$<BOOL:${arg_LIGHT}>,-Os,-O2>)
   elseif(arg_LIGHT)
     set(level -O1)
   endif()

@@ -3,7 +3,8 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, Literal, Union
+from collections.abc import Sequence
+from typing import Any, Literal, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +22,7 @@ _FRAMES = ("now", "previous")
 _MOTORS = {DirectionalMotor: "directional", WakeMotor: "wake", JetMotor: "jet", VortexMotor: "vortex", OmniMotor: "omni",
            PressureMotor: "pressure"}
 _KINDS = tuple(_MOTORS.values())
+I = TypeVar("I", bound="_Id")
 
 
 class ThreadPool:
@@ -37,22 +39,35 @@ class ThreadPool:
         return library.windrow_thread_pool_parallel_for(self._handle.pointer)
 
 
-class MotorId:
+class _Id:
+    __slots__ = ("_id",)
+    _struct: Any
+
+    def __init__(self, name: Any) -> None:
+        self._id = name
+
+    @property
+    def numbers(self) -> tuple[int, int, int]:
+        """To be kept beside what `Wind.save` returns: it names the same in the wind that is loaded."""
+        return (self._id.slot, self._id.generation, self._id.owner)
+
+    @classmethod
+    def from_numbers(cls: type[I], numbers: Sequence[int]) -> I:
+        return cls(cls._struct(*numbers))
+
+
+class MotorId(_Id):
     """Names a motor of one wind."""
 
-    __slots__ = ("_id",)
-
-    def __init__(self, name: Any) -> None:
-        self._id = name
+    __slots__ = ()
+    _struct = _c.MotorId
 
 
-class ObstacleId:
+class ObstacleId(_Id):
     """Names an obstacle of one wind."""
 
-    __slots__ = ("_id",)
-
-    def __init__(self, name: Any) -> None:
-        self._id = name
+    __slots__ = ()
+    _struct = _c.ObstacleId
 
 
 class Motors:
