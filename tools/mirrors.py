@@ -1,7 +1,7 @@
 """Mirrors of the C interface in Python (ctypes), C# and Rust: choices, callbacks, structs and calls, made from the headers.
 
-Each language has a file a part of the library. C# has no calls: which of a call's pointers are arrays, and which may be null, a
-declaration in C does not have. Its structs have `Default()` where C has an init function.
+Each language has a file a part of the library. In C# the pointers of a call are IntPtr, since a declaration in C does not have which of
+them are arrays, and which may be null; text is a string. Its structs have `Default()` where C has an init function.
 """
 import ctypes
 import re
@@ -20,6 +20,7 @@ PYTHON = {"float": "c.c_float", "double": "c.c_double", "int32_t": "c.c_int32", 
           "uint64_t": "c.c_uint64", "uint16_t": "c.c_uint16", "uint8_t": "c.c_uint8", "size_t": "c.c_size_t", "void": "None"}
 CSHARP = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong",
           "uint16_t": "ushort", "uint8_t": "byte", "size_t": "UIntPtr"}
+CSHARP_NAMES = {"out": "result", "params": "parameters", "object": "thing", "event": "happening", "lock": "held", "base": "origin"}
 RUST = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64", "uint16_t": "u16",
         "uint8_t": "u8", "size_t": "usize", "void": "c_void", "char": "c_char"}
 RUST_WORDS = {"box", "in", "loop", "match", "mod", "move", "ref", "type", "use", "where"}
@@ -160,7 +161,17 @@ class Part:
                 text += (f"        public static {title(name)} Default() {{ return Native.Filled<{title(name)}>({name}_init); }}\n"
                          f"        [DllImport(Native.Library)] private static extern int {name}_init(out {title(name)} it, uint size);\n")
             text += "    }\n"
-        return text + "}\n"
+        text += "\n    public static partial class Calls\n    {\n"
+        for name, call in self.functions.items():
+            parameters = [f"{self._csharp_parameter(kind)} {CSHARP_NAMES.get(parameter, parameter)}" for kind, parameter in call[1]]
+            result = "void" if call[0] == "void" else self._csharp_type(call[0])
+            begin = f"        public static extern {result} {name}("
+            text += f"        [DllImport(Native.Library)]\n{packed(parameters, ' ' * 12, first=begin) or begin});\n"
+        return text + "    }\n}\n"
+
+    def _csharp_parameter(self, kind):
+        inner = pointee(kind)
+        return "[MarshalAs(UnmanagedType.LPUTF8Str)] string" if inner and inner[0] == "char" and inner[1] else self._csharp_type(kind)
 
     # --- Rust ----------------------------------------------------------------------------------------------------------------
     @staticmethod

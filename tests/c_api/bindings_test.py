@@ -141,6 +141,26 @@ class Bindings(unittest.TestCase):
                 (root / name).write_text(text, encoding="utf-8")
 
 
+class Coverage(unittest.TestCase):
+    def test_each_mirror_has_each_name(self):
+        header = Header(ROOT / "c_api")
+        texts = {language: "".join(path.read_text(encoding="utf-8") for path in sorted((ROOT / folder).glob(f"*.{language}")))
+                 for language, folder in (("py", "bindings/python/windrow/_c"), ("cs", "examples/csharp/windrow_c"),
+                                          ("rs", "examples/rust/windrow_c"))}
+        for name in header.functions:
+            for language, form in (("py", f'("{name}",'), ("cs", f" {name}("), ("rs", f"pub fn {name}(")):
+                self.assertIn(form, texts[language])
+        for name in header.structs:
+            for language, form in (("py", f"class {title(name)}(c.Structure)"), ("cs", f"partial struct {title(name)}\n"),
+                                   ("rs", f"pub struct {title(name)} {{")):
+                self.assertIn(form, texts[language])
+        values = [value for choice in header.choices.values() for value, _ in choice]
+        for value in values:
+            for language in ("py", "rs"):
+                self.assertIn(value.removeprefix("WINDROW_"), texts[language])
+        self.assertGreater(len(header.functions) + len(header.structs) + len(values), 560)
+
+
 class Layout(unittest.TestCase):
     def test_python_is_laid_out_as_c(self):
         import _c

@@ -434,4 +434,228 @@ namespace Windrow
         public static Query Default() { return Native.Filled<Query>(windrow_query_init); }
         [DllImport(Native.Library)] private static extern int windrow_query_init(out Query it, uint size);
     }
+
+    public static partial class Calls
+    {
+        [DllImport(Native.Library)]
+        public static extern uint windrow_version();
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_version_string();
+        [DllImport(Native.Library)]
+        public static extern int windrow_has_part(Part part);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_last_error();
+        [DllImport(Native.Library)]
+        public static extern void windrow_set_logger(IntPtr logger, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_set_allocator(IntPtr allocate, IntPtr release, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_allocated_bytes();
+        [DllImport(Native.Library)]
+        public static extern Result windrow_thread_pool_create(int threads, IntPtr pool);
+        [DllImport(Native.Library)]
+        public static extern void windrow_thread_pool_destroy(IntPtr pool);
+        [DllImport(Native.Library)]
+        public static extern int windrow_thread_pool_size(IntPtr pool);
+        [DllImport(Native.Library)]
+        public static extern ParallelFor windrow_thread_pool_parallel_for(IntPtr pool);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_bytes_data(IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_bytes_size(IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern void windrow_bytes_destroy(IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_parts_join(IntPtr parts, ulong count, IntPtr file);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_parts_find(IntPtr bytes, ulong size,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string name, IntPtr part, IntPtr part_size);
+        [DllImport(Native.Library)]
+        public static extern Boundaries windrow_boundaries_all(BoundaryKind kind);
+        [DllImport(Native.Library)]
+        public static extern Boundaries windrow_boundaries_open_over_floor();
+        [DllImport(Native.Library)]
+        public static extern Result windrow_log_profile_init(IntPtr profile, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_gusts_init(IntPtr gusts, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_canopy_init(IntPtr canopy, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_roughness_map_init(IntPtr map, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_roughness_init(IntPtr roughness, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_rows_init(IntPtr rows, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern int windrow_simd_runs(Simd level);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_simd_name(Simd level);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_config_init(IntPtr config, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_config_validate(IntPtr config);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_sampling_init(IntPtr sampling, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_sampling_validate(IntPtr sampling);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_gust_tile_bake(uint seed, IntPtr tile);
+        [DllImport(Native.Library)]
+        public static extern void windrow_gust_tile_destroy(IntPtr tile);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_gust_tile_texels(IntPtr tile, IntPtr count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_settings_init(IntPtr settings, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_create(IntPtr settings, IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_of(IntPtr wind, int frame, IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern void windrow_ambient_wind_destroy(IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_advance(IntPtr ambient, double dt);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_set_mean(IntPtr ambient, Vec3 mean);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_set_ground(IntPtr ambient, double height);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_set_phase(IntPtr ambient, DVec3 phase);
+        [DllImport(Native.Library)]
+        public static extern DVec3 windrow_ambient_wind_phase(IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern double windrow_ambient_wind_period(IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern Vec3 windrow_ambient_wind_mean(IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern double windrow_ambient_wind_ground(IntPtr ambient);
+        [DllImport(Native.Library)]
+        public static extern float windrow_ambient_wind_profile_at(IntPtr ambient, double height);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_velocity(IntPtr ambient, DVec3 position, IntPtr velocity);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_felt(IntPtr ambient, DVec3 position, IntPtr sampling,
+            IntPtr velocity);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_block(IntPtr ambient, DVec3 anchor, IntPtr sampling,
+            IntPtr block);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_ambient_wind_tile(IntPtr ambient, IntPtr tile);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_uniform_gust_init(IntPtr gust, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_uniform_gust_velocity(IntPtr gust, double time, IntPtr velocity);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_diagnostics_init(IntPtr diagnostics, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_advance_init(IntPtr advance, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_box_init(IntPtr box, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_create(IntPtr config, IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern void windrow_wind_destroy(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_save(IntPtr wind, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_load(IntPtr bytes, ulong size, IntPtr parallel_for, IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_record_to(IntPtr wind, IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_config(IntPtr wind, IntPtr config);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_wind_memory_bytes(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_step(IntPtr wind, double dt, IntPtr diagnostics);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_advance(IntPtr wind, double dt, IntPtr advance, IntPtr last);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_follow(IntPtr wind, DVec3 point);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_floor(IntPtr wind, double height);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_shift_origin(IntPtr wind, DVec3 offset);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_box(IntPtr wind, IntPtr box);
+        [DllImport(Native.Library)]
+        public static extern DVec3 windrow_wind_origin(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_wind_cell_count(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_ambient(IntPtr wind, Vec3 ambient);
+        [DllImport(Native.Library)]
+        public static extern Vec3 windrow_wind_ambient(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_gusts(IntPtr wind, IntPtr gusts);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_boundaries(IntPtr wind, IntPtr boundaries);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_velocity(IntPtr wind, IntPtr velocity_at, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_field(IntPtr wind, IntPtr cells, ulong count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_reset(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_velocity(IntPtr wind, DVec3 position, IntPtr velocity);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_felt(IntPtr wind, DVec3 position, IntPtr sampling, IntPtr velocity);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_query_init(IntPtr query, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_sample(IntPtr wind, IntPtr query);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_vectors(IntPtr wind, Frame frame, Texel texel, IntPtr texels,
+            ulong count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_axes(IntPtr wind, Frame frame, Texel texel, IntPtr x, IntPtr y,
+            IntPtr z, ulong count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_obstacles(IntPtr wind, IntPtr cells, ulong count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_pressure(IntPtr wind, IntPtr cells, ulong count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_field(IntPtr wind, Frame frame, IntPtr cells, IntPtr count,
+            IntPtr origin);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_field(IntPtr wind,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string path, FieldFormat format, double time);
+        [DllImport(Native.Library)]
+        public static extern ushort windrow_to_half(float value);
+        [DllImport(Native.Library)]
+        public static extern float windrow_from_half(ushort half);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_window_block(IntPtr wind, DVec3 anchor, IntPtr block);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_frame_block(IntPtr wind, DVec3 anchor, IntPtr sampling, IntPtr block);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_event_log_create(IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern void windrow_event_log_destroy(IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_event_log_count(IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern int windrow_event_log_complete(IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_event_log_clear(IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_event_log_to_bytes(IntPtr log, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_event_log_from_bytes(IntPtr bytes, ulong size, IntPtr log);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_event_log_replay(IntPtr log, IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_tracer_create(IntPtr wind, IntPtr parallel_for, IntPtr tracer);
+        [DllImport(Native.Library)]
+        public static extern void windrow_tracer_destroy(IntPtr tracer);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_tracer_save(IntPtr tracer, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_tracer_load(IntPtr bytes, ulong size, IntPtr wind, IntPtr parallel_for,
+            IntPtr tracer);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_tracer_step(IntPtr tracer, IntPtr wind, double dt);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_tracer_blow(IntPtr tracer, DVec3 point, float radius);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_tracer_cells(IntPtr tracer, IntPtr count);
+    }
 }

@@ -172,4 +172,138 @@ namespace Windrow
         public static ObstacleForce Default() { return Native.Filled<ObstacleForce>(windrow_obstacle_force_init); }
         [DllImport(Native.Library)] private static extern int windrow_obstacle_force_init(out ObstacleForce it, uint size);
     }
+
+    public static partial class Calls
+    {
+        [DllImport(Native.Library)]
+        public static extern Region windrow_region_sphere(float radius);
+        [DllImport(Native.Library)]
+        public static extern Region windrow_region_capsule(Vec3 half_axis, float radius);
+        [DllImport(Native.Library)]
+        public static extern Region windrow_region_box(Vec3 half_size);
+        [DllImport(Native.Library)]
+        public static extern Region windrow_region_cone(Vec3 axis, float start_radius, float end_radius);
+        [DllImport(Native.Library)]
+        public static extern Law windrow_law_force(float acceleration);
+        [DllImport(Native.Library)]
+        public static extern Law windrow_law_drive(float speed, float rate);
+        [DllImport(Native.Library)]
+        public static extern WakeLaw windrow_wake_law_force(float strength);
+        [DllImport(Native.Library)]
+        public static extern WakeLaw windrow_wake_law_drive(float per_metre, float entrainment);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_directional_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wake_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_jet_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vortex_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_omni_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_pressure_motor_init(IntPtr motor, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_directional(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_wake(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_jet(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_vortex(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_omni(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_pressure(IntPtr wind, IntPtr motor, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_directional(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_wake(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_jet(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_vortex(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_omni(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_pressure(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_directional(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_wake(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_jet(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_vortex(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_omni(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_pressure(IntPtr wind, MotorId id, IntPtr motor);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_motor_kind(IntPtr wind, MotorId id, IntPtr kind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_move_motor(IntPtr wind, MotorId id, DVec3 position);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_remove_motor(IntPtr wind, MotorId id);
+        [DllImport(Native.Library)]
+        public static extern int windrow_wind_motor_count(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_mesh_create(IntPtr vertices, ulong vertex_count, IntPtr indices,
+            ulong triangle_count, IntPtr mesh);
+        [DllImport(Native.Library)]
+        public static extern void windrow_mesh_destroy(IntPtr mesh);
+        [DllImport(Native.Library)]
+        public static extern float windrow_mesh_distance(IntPtr mesh, Vec3 point);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_voxels_create(IVec3 cells, IntPtr closed, ulong count, IntPtr voxels);
+        [DllImport(Native.Library)]
+        public static extern void windrow_voxels_destroy(IntPtr voxels);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_height_map_create(IVec2 corners, float spacing, IntPtr heights, ulong count,
+            IntPtr map);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_height_map_create_with_holes(IVec2 corners, float spacing, IntPtr heights,
+            ulong count, IVec2 cells, IntPtr open, ulong cell_count, IntPtr map);
+        [DllImport(Native.Library)]
+        public static extern void windrow_height_map_destroy(IntPtr map);
+        [DllImport(Native.Library)]
+        public static extern float windrow_height_map_height(IntPtr map, Vec2 place);
+        [DllImport(Native.Library)]
+        public static extern Vec3 windrow_height_map_normal(IntPtr map, Vec2 place);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_sphere(float radius);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_capsule(Vec3 half_axis, float radius);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_block(Vec3 half_size);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_cylinder(float radius, float half_length);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_plate(Vec2 half_size);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_mesh(IntPtr mesh, float scale);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_voxels(IntPtr voxels, float cell_size);
+        [DllImport(Native.Library)]
+        public static extern Shape windrow_shape_ground(IntPtr heights, Vec3 scale);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_obstacle_init(IntPtr obstacle, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_obstacle(IntPtr wind, IntPtr obstacle, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_obstacle(IntPtr wind, ObstacleId id, IntPtr obstacle);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_obstacle(IntPtr wind, ObstacleId id, IntPtr obstacle);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_move_obstacle(IntPtr wind, ObstacleId id, DVec3 position,
+            IntPtr orientation, IntPtr spin);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_remove_obstacle(IntPtr wind, ObstacleId id);
+        [DllImport(Native.Library)]
+        public static extern int windrow_wind_obstacle_count(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_obstacle_force_init(IntPtr force, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_force_on(IntPtr wind, ObstacleId id, IntPtr force);
+    }
 }

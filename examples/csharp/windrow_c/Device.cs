@@ -197,4 +197,176 @@ namespace Windrow
         public uint Reserved;
         public double Us;
     }
+
+    public static partial class Calls
+    {
+        [DllImport(Native.Library)]
+        public static extern int windrow_vdb_has_nanovdb();
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_options_init(IntPtr options, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_write(IntPtr wind, [MarshalAs(UnmanagedType.LPUTF8Str)] string path,
+            IntPtr options);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_write_frame(IntPtr wind,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string folder, [MarshalAs(UnmanagedType.LPUTF8Str)] string prefix,
+            int digits, int frame, double time, IntPtr options);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_grid_init(IntPtr grid, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_write_grid(IntPtr grid,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string path, IntPtr options);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_film_init(IntPtr film, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vdb_write_film(IntPtr wind, IntPtr film,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string path, IntPtr options);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_host_init(IntPtr host, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_requirements_init(IntPtr requirements, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_require_features(IntPtr features);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_check(IntPtr instance, IntPtr physical_device,
+            IntPtr get_instance_proc_addr);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_vulkan_result_name(int result);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_pipeline_store_create(IntPtr host, IntPtr store);
+        [DllImport(Native.Library)]
+        public static extern void windrow_vulkan_pipeline_store_destroy(IntPtr store);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_pipeline_store_count(IntPtr store);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_facts_init(IntPtr facts, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_list_create(IntPtr list);
+        [DllImport(Native.Library)]
+        public static extern void windrow_vulkan_device_list_destroy(IntPtr list);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_device_list_count(IntPtr list);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_list_get(IntPtr list, int index, IntPtr facts);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_has_validation_layer();
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_settings_init(IntPtr settings, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_create(IntPtr settings, IntPtr device);
+        [DllImport(Native.Library)]
+        public static extern void windrow_vulkan_device_destroy(IntPtr device);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_host(IntPtr device, int compute, IntPtr host);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_vulkan_device_queue(IntPtr device, int compute);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_get_facts(IntPtr device, IntPtr facts);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_vulkan_device_features(IntPtr device);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_device_messages(IntPtr device);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_run(IntPtr device, IntPtr record, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_submit(IntPtr device, int slot, IntPtr record, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_device_wait(IntPtr device);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_settings_init(IntPtr settings, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_frame_init(IntPtr frame, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_required_bytes(IntPtr host, IntPtr config, IntPtr settings,
+            IntPtr memory, IntPtr reserved);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_create(IntPtr host, IntPtr config, IntPtr settings, IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_load(IntPtr host, IntPtr bytes, ulong size, IntPtr settings,
+            IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_saved(IntPtr wind, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_record(IntPtr wind, IntPtr commands, IntPtr frame,
+            IntPtr advance, IntPtr last);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_record_step(IntPtr wind, IntPtr commands, IntPtr frame,
+            IntPtr diagnostics);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_wind_collect(IntPtr wind, int slot);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_forget(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_replay(IntPtr log, IntPtr wind, IntPtr run, IntPtr user);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_textures(IntPtr wind, Frame frame, IntPtr textures);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_wind_gust_buffer(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_exported_images(IntPtr wind, IntPtr images, IntPtr count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_sampler_info(IntPtr boundaries, IntPtr sampler_info);
+        [DllImport(Native.Library)]
+        public static extern uint windrow_vulkan_set_bindings(VulkanTextureSet textures, uint stages, uint first,
+            IntPtr bindings);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_set_writes_create(ulong set, IntPtr content,
+            VulkanTextureSet textures, uint first, IntPtr writes);
+        [DllImport(Native.Library)]
+        public static extern void windrow_vulkan_set_writes_destroy(IntPtr writes);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_vulkan_set_writes_data(IntPtr writes);
+        [DllImport(Native.Library)]
+        public static extern uint windrow_vulkan_set_writes_count(IntPtr writes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_halves(IntPtr wind, IntPtr cells, IntPtr count, IntPtr origin);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_points(IntPtr wind, IntPtr positions, IntPtr velocities,
+            IntPtr count);
+        [DllImport(Native.Library)]
+        public static extern double windrow_vulkan_wind_query_age(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_reported(IntPtr wind, IntPtr diagnostics);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_wind_dispatches(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_wind_barriers(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_wind_reserved_bytes(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_pass_times(IntPtr wind, IntPtr whole_us, IntPtr read_back_us,
+            IntPtr untimed, IntPtr passes, IntPtr count);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_create(IntPtr host, IntPtr config, Texel texel, IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern void windrow_vulkan_ground_destroy(IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_follow(IntPtr ground, DVec3 point);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_shift_origin(IntPtr ground, DVec3 offset);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_record(IntPtr ground, IntPtr commands, IntPtr step,
+            WindLeans leans);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_record_save(IntPtr ground, IntPtr commands);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_saved(IntPtr ground, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_load(IntPtr host, IntPtr bytes, ulong size, Texel texel,
+            IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_ground_lean_buffer(IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern int windrow_vulkan_ground_walkers_left_out(IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_next_place(IntPtr ground, DVec3 anchor, IntPtr place);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_texture(IntPtr ground, Frame frame, IntPtr texture);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_ground_block(IntPtr ground, DVec3 anchor, IntPtr block);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_ground_memory_bytes(IntPtr ground);
+        [DllImport(Native.Library)]
+        public static extern ulong windrow_vulkan_ground_reserved_bytes(IntPtr ground);
+    }
 }
