@@ -77,6 +77,7 @@ struct SceneRun {
     const Frames& frames;
     FrameWriter writer;
     std::unique_ptr<OutputFile> csv;
+    Probes probes;
     Timings timings;
 
     /// Steps until a frame is due. Returns an exit code, k_exit_well to go on.
@@ -101,6 +102,8 @@ struct SceneRun {
                 return k_exit_out_of_bounds;
             }
             if (const auto fault = writer.follow(playback, frames.times.length_of_step(playback.steps())))
+                return complain_of(fault, console);
+            if (const auto fault = probes.follow(playback))
                 return complain_of(fault, console);
         }
         return k_exit_well;
@@ -131,6 +134,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     add_vdb(flags, *run, request->film);
     flags.value("--fields", "LIST", "Keep wind_0000.fga ... for engines and analysts: fga, vf, raw, npz, vti, with commas",
                 [request](const std::string& text) { request->fields = read_formats(text); });
+    add_probes(flags, *run, request->probes);
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
@@ -164,7 +168,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     cases::Backend backend;
     if (const auto fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
-    const bool keeps = request.vdb || request.images || request.csv || !request.fields.empty();
+    const bool keeps = request.vdb || request.images || request.csv || !request.fields.empty() || request.probes.any();
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
     OutputFolder output;
     if (keeps)
@@ -187,10 +191,13 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .writer =
                      FrameWriter(*scene, folder, request.images, request.vdb, request.fields, *frames, pool->parallel_for()),
                  .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
+                 .probes = Probes(request.probes, folder),
                  .timings = {}};
     if (run.csv)
         run.csv->write(timings_header());
     int code = k_exit_well;
+    if (const auto fault = run.probes.follow(*playback))
+        code = complain_of(fault, console);
     std::int64_t done = 0;
     {
         Progress progress(console.progress, frames->count);
@@ -217,6 +224,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         if (const auto fault = run.writer.write_contact_sheet())
             code = complain_of(fault, console);
     // The steps so far, whatever ended the run.
+    if (const auto fault = run.probes.publish(); fault && code == k_exit_well)
+        code = complain_of(fault, console);
     if (run.csv)
         if (const auto fault = run.csv->publish(); fault && code == k_exit_well)
             code = complain_of(fault, console);
@@ -241,7 +250,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 .device = backend.device_words(),
                 .frames_done = done,
                 .step_hz = frames->times.step_hz(),
-                .csv = request.csv},
+                .csv = request.csv,
+                .probes = !request.probes.lines.empty(),
+                .forces = request.probes.forces},
                console);
     if (signal != 0 && done < frames->count) {
         console.complain(message("stopped by ", signal == SIGINT ? "Ctrl-C" : "a signal", " after ", done, " of ", frames->count,

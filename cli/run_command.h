@@ -4,6 +4,7 @@
 #include "cli/backend.h"
 #include "cli/console.h"
 #include "cli/film_request.h"
+#include "cli/probes.h"
 #include "fluid/field_files.h"
 #include "fluid/simd.h"
 
@@ -27,6 +28,7 @@ struct RunRequest {
     bool images = false;
     bool csv = false;
     std::vector<FieldFormat> fields{}; ///< a file a frame of each
+    ProbeRequest probes{};
     BackendRequest backend{};
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;

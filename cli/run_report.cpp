@@ -110,6 +110,10 @@ std::string list_files(const RunReport& report) {
     }
     if (report.csv)
         add("timings.csv");
+    if (report.probes)
+        add("probes.csv");
+    if (report.forces)
+        add("forces.csv");
     return text;
 }
 
@@ -144,7 +148,7 @@ void report_run(const RunReport& report, const Console& console) {
     if (const std::string files = list_files(report); !files.empty())
         console.out << "In " << report.folder.string() << ": " << files << ".\n";
     else
-        console.out << "Nothing was kept: add --images, --vdb, --fields or --csv.\n";
+        console.out << "Nothing was kept: add --images, --vdb, --fields, --csv, --probe or --forces.\n";
     console.out.flush();
 }
 

@@ -23,7 +23,7 @@ struct RunReport {
     const std::string& device; ///< empty: the CPU
     std::int64_t frames_done = 0;
     double step_hz = 0.0; ///< steps a second between frames
-    bool csv = false;
+    bool csv = false, probes = false, forces = false;
 };
 
 void report_run(const RunReport& report, const Console& console);

@@ -52,6 +52,8 @@ class SceneAir {
     /// Handle of the first motor or obstacle of that name which is in the air; names none where there is none.
     [[nodiscard]] MotorId motor(std::string_view name) const;
     [[nodiscard]] ObstacleId obstacle(std::string_view name) const;
+    /// Of the scene's obstacle at a place in its list; names none while that is not in the air.
+    [[nodiscard]] ObstacleId obstacle(std::size_t place) const { return state_.obstacles.at(place); }
 
     /// A motor of the scene as it stands now.
     struct ActingMotor {

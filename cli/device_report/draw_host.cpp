@@ -82,12 +82,12 @@ DrawHost::~DrawHost() {
 Result<std::unique_ptr<DrawHost>> DrawHost::create(OwnDevice& own, Device& device, std::span<const VkDescriptorType> kinds) {
     std::unique_ptr<DrawHost> made(new DrawHost(own, device));
     std::string missing;
-#define WINDROW_LOAD(name)                                                                                                       \
+#define WINDROW_LOAD_DRAW(name)                                                                                                  \
     made->calls_->name = reinterpret_cast<PFN_##name>(device.functions().vkGetDeviceProcAddr(device.host().device, #name));      \
     if (made->calls_->name == nullptr)                                                                                           \
         missing += (missing.empty() ? "" : ", ") + std::string(#name);
-    WINDROW_DRAW_CALLS(WINDROW_LOAD)
-#undef WINDROW_LOAD
+    WINDROW_DRAW_CALLS(WINDROW_LOAD_DRAW)
+#undef WINDROW_LOAD_DRAW
     if (!missing.empty())
         return Error{detail::message("the driver lacks ", missing, ": update it.")};
     auto layout = PipelineLayout::create(device, bindings_of(kinds, VK_SHADER_STAGE_ALL_GRAPHICS), {}, k_what);

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""field_files_test.py: the files of engines and analysts, read by readers of their published descriptions, against the wind itself.
+"""field_files_test.py: the files of engines and analysts, read by readers of their published descriptions, against the wind itself; and the
+tables of probes and forces.
 
 The library of WINDROW_LIBRARY writes them, and the command of WINDROW_COMMAND where there is one.
 """
+import csv
 import json
 import os
 import pathlib
@@ -156,6 +158,43 @@ class Command(InFolder):
         self.assertTrue(np.array_equal(last["velocity"], scene.wind.field()[..., :3]))
         self.run_command("--fields", "raw", "--frames", "2")  # a part of a film leaves the frames of others
         self.assertEqual(len(list((self.folder / "out").iterdir())), 12)
+
+    def rows(self, name):
+        with open(self.folder / "out" / name, encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_probes_and_forces(self):
+        text = json.dumps({"duration": 0.2, "frames_per_second": 10, "tick_hz": 30, "air": {"cells": [12, 8, 9], "ambient": [4, 0, 0]},
+                           "obstacles": [{"name": "house", "position": [1, 0, 0], "shape": {"block": {}}},
+                                         {"name": "car", "from": 0.1, "position": [3, 1, 2], "shape": {"sphere": {}}}]})
+        (self.folder / "s.json").write_text(text, encoding="utf-8")
+        code, said = self.run_command("--probe", "mast=-2,1,0.5", "--probe", "lee=2.5,0,0:5,0,0:3", "--forces")
+        self.assertEqual((code, "probes.csv, forces.csv" in said), (0, True), said)
+        scene = windrow.Scene("s.json", text=text)
+        probes, forces = self.rows("probes.csv"), self.rows("forces.csv")
+        self.assertEqual(len(probes), 4 * 7)  # at the start, and after each of six steps
+        places = [(-2, 1, 0.5), (2.5, 0, 0), (3.75, 0, 0), (5, 0, 0)]
+        for step in range(7):
+            if step > 0:
+                scene.step()
+            for place, row in zip(places, probes[4 * step:4 * step + 4]):
+                self.assertAlmostEqual(float(row["time_s"]), scene.time)
+                self.assertEqual(tuple(float(row[f"{axis}_m"]) for axis in "xyz"), place)
+                self.assertTrue(np.allclose([float(row[f"{axis}_m_s"]) for axis in "uvw"], scene.wind.velocity(place), atol=1e-6))
+        self.assertEqual([row["probe"] + row["point"] for row in probes[:4]], ["mast0", "lee0", "lee1", "lee2"])
+        force = scene.wind.obstacles.force_on(scene.obstacle("house"))
+        last = [row for row in forces if row["name"] == "house"][-1]
+        self.assertTrue(np.allclose([float(last[f"f{axis}_n"]) for axis in "xyz"], force.force, rtol=1e-5, atol=1e-5))
+        self.assertAlmostEqual(float(last["pressure_pa"]), force.pressure, places=4)
+        self.assertEqual({row["name"] for row in forces}, {"house", "car"})
+        self.assertLess(len([row for row in forces if row["name"] == "car"]), 6)
+
+    def test_probes_that_do_not_fit(self):
+        (self.folder / "s.json").write_text("{}", encoding="utf-8")
+        for words in ("mast", "=1,2,3", "a,b=1,2,3", "m=1,2", "m=1,2,x", "m=1,2,3:4,5,6", "m=1,2,3:4,5,6:0", "m=1,2,1e13"):
+            code, said = self.run_command("--probe", words)
+            self.assertEqual(code, 2, said)
+            self.assertIn("--probe", said)
 
     def test_flags_that_do_not_fit(self):
         (self.folder / "s.json").write_text("{}", encoding="utf-8")
