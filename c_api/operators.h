@@ -34,6 +34,7 @@ WINDROW_C_API void windrow_workspace_destroy(windrow_workspace* work);
 WINDROW_C_API uint64_t windrow_workspace_cell_count(const windrow_workspace* work);
 /* [bytes] That it has allocated. */
 WINDROW_C_API uint64_t windrow_workspace_memory_bytes(const windrow_workspace* work);
+/* Obstacles stay; they are gone where memory for them is missing. */
 WINDROW_C_API windrow_result windrow_workspace_set_boundaries(windrow_workspace* work, const windrow_boundaries* boundaries);
 /* The wind beyond open boundaries. */
 WINDROW_C_API windrow_result windrow_workspace_set_ambient(windrow_workspace* work, windrow_vec3 ambient);
@@ -62,7 +63,7 @@ typedef struct windrow_transport {
 } windrow_transport;
 WINDROW_C_API windrow_result windrow_transport_init(windrow_transport* transport, uint32_t struct_size);
 /* result(x) = carried at where the air of x was dt ago, by the second-order trajectory (Hortal 2002). `result` may be any of the fields
-   but `velocity`. */
+   but `velocity`, and shares no part of its memory with the others. */
 WINDROW_C_API windrow_result windrow_advect(windrow_workspace* work, const windrow_transport* transport, windrow_vec4* result,
                                             uint64_t count);
 
@@ -78,7 +79,7 @@ typedef struct windrow_scalar_transport {
     uint32_t reserved;                   /* 0 */
 } windrow_scalar_transport;
 WINDROW_C_API windrow_result windrow_scalar_transport_init(windrow_scalar_transport* transport, uint32_t struct_size);
-/* `result` is not `carried`. */
+/* `result` is an array of its own. */
 WINDROW_C_API windrow_result windrow_advect_scalar(windrow_workspace* work, const windrow_scalar_transport* transport,
                                                    float* result, uint64_t count);
 

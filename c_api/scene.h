@@ -58,7 +58,8 @@ WINDROW_C_API windrow_result windrow_scene_obstacle(const windrow_scene* scene, 
 
 /* The clock and the air as bytes. */
 WINDROW_C_API windrow_result windrow_scene_save(const windrow_scene* scene, windrow_bytes** bytes);
-/* Goes on from there, in a scene of the same file; handles of its motors and obstacles stay good. */
+/* Goes on from there, in a scene of the same file. Handles of its motors and obstacles stay good; arrays of its wind do not, and a
+   recording ends. */
 WINDROW_C_API windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size);
 
 #ifdef __cplusplus

@@ -242,12 +242,13 @@ typedef int32_t windrow_field_format;
 enum {
     WINDROW_FIELD_FGA = 0, /* Unreal Engine */
     WINDROW_FIELD_VF = 1,  /* Unity */
-    WINDROW_FIELD_RAW = 2, /* a 3D texture of halfs; its size and place in a .json beside it */
+    WINDROW_FIELD_RAW = 2, /* a 3D texture of halfs; its size and place in NAME.raw.json */
     WINDROW_FIELD_NPZ = 3, /* numpy */
     WINDROW_FIELD_VTI = 4  /* ParaView */
 };
-/* Writes the cells, with those inside obstacles where the format holds them, as a file of an engine or an analyst: axes, units and what
-   is done with rows of unequal thickness are in fluid/field_files.h. `path` is UTF-8; `time` [s] is written where the format has it. */
+/* Writes the cells, with those inside obstacles where the format holds them, as a file of an engine or an analyst. FGA is z up,
+   left-handed, in centimetres; VF y up, left-handed, in metres; the others have the axes of the library. Rows of unequal thickness are
+   sampled at the centres of equal cells. `path` is UTF-8; `time` [s] is written where the format has it. */
 WINDROW_C_API windrow_result windrow_wind_write_field(const windrow_wind* wind, const char* path, windrow_field_format format,
                                                       double time);
 /* Nearest half of a float, and back. */

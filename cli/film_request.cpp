@@ -46,8 +46,7 @@ Flags::Read read_length(const char* flag, std::optional<double>& length, const R
     };
 }
 
-// speed,vorticity
-/// use(word) for each word of a list with commas.
+/// use(word) for each word of a list with commas: speed,vorticity
 template <class Use>
 void for_each_word(const std::string& text, const Use& use) {
     for (std::size_t begin = 0; begin <= text.size();) {

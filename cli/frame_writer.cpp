@@ -215,7 +215,7 @@ std::string FrameWriter::clear_other_frames(scene::Extent extent) const {
     for (const FieldFormat format : fields_) {
         kept.push_back(files_of(format));
         if (format == FieldFormat::raw)
-            kept.push_back({"wind_", ".json", digits_});
+            kept.push_back({"wind_", ".raw.json", digits_});
     }
     return scene::clear_other_frames(folder_, kept, last_, extent);
 }

@@ -8,7 +8,7 @@
 // |---|---|---|
 // | fga | Unreal Engine: vector fields of Niagara and Cascade | text; z up, left-handed, centimetres |
 // | vf  | Unity: vector fields of the Visual Effect Graph | floats; y up, left-handed, metres: z is mirrored |
-// | raw | any engine: a 3D texture of halfs, x, y, z, 0 | metres a second, x fastest; its size, place and time in a .json beside it |
+// | raw | any engine: a 3D texture of halfs, x, y, z, 0 | metres a second, x fastest; its size, place and time in NAME.raw.json |
 // | npz | numpy: arrays velocity, obstacle, origin, cell_size, time | [z, y, x, component], little-endian |
 // | vti | ParaView, VTK: cells of ImageData | velocity, and obstacle where there is one |
 //
@@ -55,7 +55,7 @@ inline constexpr std::array<const char*, 5> k_words<FieldFormat>{"fga", "vf", "r
 }
 
 /// Writes a file, by an atomic write. An error names the file and the reason: it cannot be written, or the format cannot hold so many
-/// cells (vf: 65,535 along an axis).
+/// cells (65,535 along an axis; npz: 4 GiB).
 [[nodiscard]] WINDROW_API Result<void> write_field(const std::filesystem::path& file, FieldFormat format, const FieldGrid& grid);
 
 } // namespace windrow

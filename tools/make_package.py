@@ -37,8 +37,10 @@ if(NOT TARGET glm::glm)
 endif()
 """
 # Of NOTICE, by its field In; and the compiler's own, which is linked in.
-COMPILED_IN = ("GLM", "JSON for Modern C++", "CLI11", "Vulkan headers and loader")
-RUNTIME = {"Name": "GCC runtime libraries (libstdc++, libgcc)", "Source": "gcc-12", "Licence": "GPL-3.0-or-later WITH GCC-exception-3.1"}
+COMPILED_IN = {"GLM": None, "JSON for Modern C++": None, "CLI11": "CLI", "Vulkan headers and loader": "VULKAN"}  # with which option
+GCC_LICENCE = "GPL-3.0-or-later WITH GCC-exception-3.1"
+RUNTIME = [{"Name": "GCC runtime libraries (libstdc++, libgcc)", "Source": "gcc", "Licence": GCC_LICENCE}]
+MINGW = [*RUNTIME, {"Name": "MinGW-w64 runtime and winpthreads", "Source": "mingw-w64", "Licence": "ZPL-2.1 AND MIT"}]
 
 
 def run(command, **options):
@@ -52,15 +54,16 @@ def version():
     return re.search(r'WINDROW_VERSION_STRING "(.*)"', (ROOT / "fluid/version.h").read_text(encoding="utf-8")).group(1)
 
 
-def spdx(name):
-    """The list of an archive's parts as SPDX 2.3."""
+def spdx(name, without):
+    """The list of an archive's parts as SPDX 2.3; `without`: options that are off."""
     blocks = re.split(r"\n\s*\n", (ROOT / "NOTICE").read_text(encoding="utf-8"))
-    rows = [row for row in (dict(re.findall(r"^(\w+): +(.*)$", block, re.M)) for block in blocks) if row.get("Name") in COMPILED_IN]
-    if len(rows) != len(COMPILED_IN):
-        sys.exit(f"NOTICE lacks a row of {', '.join(COMPILED_IN)}")
+    wanted = [part for part, option in COMPILED_IN.items() if option not in without]
+    rows = [row for row in (dict(re.findall(r"^(\w+): +(.*)$", block, re.M)) for block in blocks) if row.get("Name") in wanted]
+    if len(rows) != len(wanted):
+        sys.exit(f"NOTICE lacks a row of {', '.join(wanted)}")
     packages = [{"SPDXID": "SPDXRef-windrow", "name": "windrow", "versionInfo": version(), "licenseDeclared": "Apache-2.0",
                  "licenseConcluded": "Apache-2.0", "downloadLocation": "NOASSERTION", "filesAnalyzed": False, "copyrightText": "NOASSERTION"}]
-    for row in [*rows, RUNTIME]:
+    for row in [*rows, *(MINGW if "windows" in name else RUNTIME)]:
         packages.append({"SPDXID": "SPDXRef-" + re.sub(r"[^A-Za-z0-9]+", "-", row["Source"]), "name": row["Name"],
                          "sourceInfo": f"Debian source package {row['Source']}", "licenseDeclared": row["Licence"].split(";")[0],
                          "licenseConcluded": "NOASSERTION", "downloadLocation": "NOASSERTION", "filesAnalyzed": False,
@@ -143,7 +146,7 @@ def make(platform, out):
     shutil.copytree(glm, stage / "include/glm", ignore=shutil.ignore_patterns("CMakeLists.txt", "*.cpp", "*.cppm"))
     (stage / "lib/cmake/glm").mkdir()
     (stage / "lib/cmake/glm/glmConfig.cmake").write_text(GLM_CONFIG, encoding="utf-8")
-    (stage / "sbom.spdx.json").write_text(spdx(name), encoding="utf-8")
+    (stage / "sbom.spdx.json").write_text(spdx(name, without), encoding="utf-8")
     for page in ("LICENSE", "NOTICE", "README.md"):
         shutil.copy2(ROOT / page, stage / page)
 

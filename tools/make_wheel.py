@@ -70,6 +70,8 @@ def make_addons(wheel, platform, out):
         for name in package.namelist():
             if name.startswith("windrow/"):
                 packed.writestr(entry(f"windrow_wind/lib/{name}"), package.read(name))
+        for name in ("LICENSE", "NOTICE"):
+            packed.writestr(entry(f"windrow_wind/{name}"), (ROOT / name).read_bytes())
     manifest = f"""schema_version = "1.0.0"
 id = "windrow_wind"
 version = "{version}"
@@ -90,6 +92,8 @@ files = "Writes caches beside the scene"
         for path in files:
             packed.writestr(entry(path.name), path.read_bytes())
         packed.writestr(entry(f"wheels/{wheel.name}"), wheel.read_bytes())
+        for name in ("LICENSE", "NOTICE"):
+            packed.writestr(entry(name), (ROOT / name).read_bytes())
     for path in (addon, extension):
         print(f"{path}: {path.stat().st_size} bytes", flush=True)
 

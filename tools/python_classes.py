@@ -37,7 +37,8 @@ FIELDS = {"Box.cells": "Cells along x, y, z.", "Box.boundaries": "Conditions at 
 # Classes that no header describes.
 SAID = {"Boundary": "Condition at one face of the box.", "Boundaries": "Conditions at the six faces of the box.",
         "Config": "Settings of a wind: 32 x 16 x 32 cells of 1 m, open air, no wind.", "SpringClass": "Class of plants that swing.",
-        "StageTimes": "[ms] Wall-clock time of one step by stage.", "GroundConfig": "Settings of a ground's memory."}
+        "Obstacle": "A body that the air flows around.", "BladeSettings": "Blades of grass of one class.",
+        "ShellSettings": "Layers of fur or grass over a skin.", "StageTimes": "[ms] Wall-clock time of one step by stage.", "GroundConfig": "Settings of a ground's memory."}
 HEAD = '''"""Settings and reports: a dataclass for each struct of the library, with its defaults.
 
 {made} Lengths are metres, times
@@ -94,7 +95,10 @@ class Classes:
         text = self.interface.headers[self.header.file_of[name]]
         found = re.search(rf"/\* ((?:(?!\*/).)*) \*/\n(?:/\* Made by [^\n]*\n)?typedef struct {name} \{{", text, flags=re.DOTALL)
         said = " ".join(found.group(1).split()) if found else ""
-        return SAID.get(mirrors.title(name)) or said
+        said = SAID.get(mirrors.title(name)) or said
+        if not said or "./dev schema" in said:
+            raise ValueError(f"{name} has no comment: add it to SAID")
+        return re.sub(r" \(fluid/\w+\.h\)", "", said.replace("windrow_wind_advance", "Wind.advance"))
 
     def _type(self, kind, row):
         """(annotation, default, whether the default is made anew for each object)."""
@@ -135,13 +139,16 @@ class Classes:
             return comment
         said = row["meaning"].replace("{} for ", f"{row['type'].removeprefix('optional ')}() for ").replace("::", ".")
         unit = f"[{row['unit']}] " if "unit" in row else ""
-        head = f"{row['range'][0].upper()}{row['range'][1:]}. " if "range" in row else ""
-        return unit + head + said
+        said = said.replace("AmbientWind.tile", "GustTile")
+        span = row.get("range", "")
+        if "vec" not in row["type"]:
+            span = span.removeprefix("each component ")
+        return unit + (f"{span[0].upper()}{span[1:]}. " if span else "") + said
 
     def _class(self, name):
         title = mirrors.title(name)
         rows = self._rows(name)
-        text = f'\n\n@dataclass(kw_only=True)\nclass {title}(Settings):\n'
+        text = f'\n\n@dataclass(kw_only=True, slots=True)\nclass {title}(Settings):\n'
         text += f'    """{self._comment(name)}"""\n\n    _struct: ClassVar = _c.{title}\n'
         if f"{name}_init" in self.header.functions:
             text += f'    _init: ClassVar = "{name}_init"\n'
@@ -171,6 +178,11 @@ class Classes:
             if comment:
                 fields += textwrap.fill(f'"""{comment}"""', 116, initial_indent="    ", subsequent_indent="    ",
                                         break_long_words=False, break_on_hyphens=False) + "\n"
+        shared = [(field, kind) for field, kind in re.findall(r"    (\w+): (\w+) \| None = None\n", fields) if kind in HANDLES.values()]
+        if shared:
+            text += "    _shared: ClassVar = {" + ", ".join(f'"{field}": {kind}' for field, kind in shared) + "}\n"
+        if "relaxation_time" in fields:
+            text += '    _not_negative: ClassVar = ("relaxation_time",)\n'
         if "follow_axes" in fields:
             text += '    _letters: ClassVar = {"follow_axes": "xyz"}\n'
         if words:

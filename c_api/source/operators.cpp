@@ -9,8 +9,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <glm/gtc/quaternion.hpp>
+#include <string>
 #include <vector>
 
 using namespace windrow;
@@ -69,11 +69,15 @@ class Call {
             reasons_.add(std::string_view(name), " is not aligned to ", sizeof(windrow_vec4), " bytes.");
         return {same_layout<To>(values), count_};
     }
+    /// `same`: they may be one array.
     template <class A, class B>
-    void apart(const char* name, std::span<A> result, const char* other_name, std::span<B> other) {
-        const std::less<> before;
-        if (!result.empty() && !other.empty() && before(result.data(), other.data() + other.size()) &&
-            before(other.data(), result.data() + result.size()))
+    void apart(const char* name, std::span<A> result, const char* other_name, std::span<B> other, bool same = false) {
+        if (!reasons_.empty() || result.empty() || other.empty())
+            return;
+        const auto begin = reinterpret_cast<std::uintptr_t>(result.data()),
+                   other_begin = reinterpret_cast<std::uintptr_t>(other.data());
+        if (!(same && begin == other_begin) && begin < other_begin + other.size_bytes() &&
+            other_begin < begin + result.size_bytes())
             reasons_.add(std::string_view(name), " is within the memory of ", std::string_view(other_name),
                          ": give an array of its own.");
     }
@@ -146,18 +150,20 @@ WINDROW_EXPORT windrow_result windrow_workspace_set_obstacles(windrow_workspace*
         const auto* at = reinterpret_cast<const unsigned char*>(obstacles);
         for (std::uint64_t n = 0; n < count && reasons.empty(); ++n) {
             const auto* const from = reinterpret_cast<const windrow_obstacle*>(at);
-            const Path path{nullptr, "obstacles"};
+            const std::string name = detail::message("obstacles[", n, "]");
             Obstacle wanted;
-            read_versioned(reasons, path, from, wanted);
-            if (from->struct_size != obstacles->struct_size || from->struct_size % alignof(windrow_obstacle) != 0)
-                reasons.add("obstacle ", n, " has struct_size ", from->struct_size, ": give all that of windrow_obstacle.");
-            else if (auto valid = validate(wanted); !valid)
-                reasons.add("obstacle ", n, ": ", valid.error());
+            if (from->struct_size != obstacles->struct_size || from->struct_size % alignof(windrow_obstacle) != 0) {
+                reasons.add(name, " has struct_size ", from->struct_size, ": give all that of windrow_obstacle.");
+                break;
+            }
+            read_versioned(reasons, Path{nullptr, name.c_str()}, from, wanted);
+            if (auto valid = validate(wanted); reasons.empty() && !valid)
+                reasons.add(name, ": ", valid.error());
             at += from->struct_size;
             const glm::vec3 velocity = velocities != nullptr ? to_cpp(velocities[n]) : glm::vec3(0.0f);
             const glm::vec3 spin = spins != nullptr ? to_cpp(spins[n]) : glm::vec3(0.0f);
             if (!std::isfinite(glm::dot(velocity, velocity) + glm::dot(spin, spin)))
-                reasons.add("obstacle ", n, " moves by ", velocity, " m/s and turns by ", spin, " rad/s: give finite numbers.");
+                reasons.add(name, " moves by ", velocity, " m/s and turns by ", spin, " rad/s: give finite numbers.");
             placed.push_back({.shape = wanted.shape,
                               .surface = wanted.surface,
                               .position = glm::vec3(wanted.position),
@@ -208,6 +214,9 @@ WINDROW_EXPORT windrow_result windrow_advect(windrow_workspace* work, const wind
             if (!std::isfinite(taken.history_scale))
                 asked.reasons().add("transport.history_scale is ", taken.history_scale, ": give a finite number.");
             asked.apart("result", to, "transport.velocity", wanted.velocity);
+            asked.apart("result", to, "transport.carried", wanted.carried, true);
+            asked.apart("result", to, "transport.velocity_old", wanted.velocity_old, true);
+            asked.apart("result", to, "transport.history", wanted.history, true);
         }
         return asked.run([&]() -> Result<void> {
             advect(work->work, wanted, to);
@@ -229,7 +238,10 @@ WINDROW_EXPORT windrow_result windrow_advect_scalar(windrow_workspace* work, con
             wanted.outside = taken.outside;
             wanted.clamped = taken.clamped != 0;
             asked.time(taken.dt);
+            if (!std::isfinite(taken.outside))
+                asked.reasons().add("transport.outside is ", taken.outside, ": give a finite number.");
             asked.apart("result", to, "transport.carried", wanted.carried);
+            asked.apart("result", to, "transport.velocity", wanted.velocity);
         }
         return asked.run([&] { return advect(work->work, wanted, to); });
     });
@@ -262,6 +274,7 @@ WINDROW_EXPORT windrow_result windrow_divergence(windrow_workspace* work, const 
         Call asked(*work, count);
         const std::span<const glm::vec4> from = asked.field<const glm::vec4>("velocity", velocity);
         const std::span<float> to = asked.field<float>("result", result);
+        asked.apart("result", to, "velocity", from);
         return asked.run([&]() -> Result<void> {
             divergence(work->work, from, to);
             return {};
@@ -286,6 +299,7 @@ WINDROW_EXPORT windrow_result windrow_project(windrow_workspace* work, windrow_v
         const std::span<glm::vec4> slope = asked.field<glm::vec4>("gradient", gradient, false);
         const std::span<const float> sources = asked.field<const float>("expansion", expansion, false);
         asked.apart("gradient", slope, "velocity", field);
+        asked.apart("expansion", sources, "velocity", field);
         return asked.run([&]() -> Result<void> {
             project(work->work, field, slope, sources);
             return {};

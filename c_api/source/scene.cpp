@@ -109,7 +109,7 @@ WINDROW_EXPORT windrow_result windrow_scene_step(windrow_scene* scene, windrow_d
 }
 WINDROW_EXPORT windrow_result windrow_scene_advance(windrow_scene* scene, double dt, windrow_advance* advance) {
     return call({{scene, "scene"}}, [&]() -> windrow_result {
-        if (!(std::isfinite(dt) && dt >= 0.0))
+        if (!(std::isfinite(static_cast<float>(dt)) && dt >= 0.0))
             return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
         if (const windrow_result outcome = check_output(advance); outcome != WINDROW_OK)
             return outcome;

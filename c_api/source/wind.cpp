@@ -53,7 +53,7 @@ windrow_result lacks(const char* what) {
 }
 
 bool is_time(double dt) {
-    return std::isfinite(dt) && dt >= 0.0;
+    return std::isfinite(static_cast<float>(dt)) && dt >= 0.0;
 }
 windrow_result fail_time(double dt) {
     return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
@@ -435,6 +435,8 @@ WINDROW_EXPORT windrow_result windrow_wind_write_field(const windrow_wind* wind,
         FieldFormat wanted{};
         if (!read_choice(reasons, Path{nullptr, "format"}, format, wanted))
             return fail(WINDROW_REJECTED, reasons.take());
+        if (!std::isfinite(time))
+            return fail(WINDROW_REJECTED, detail::message("time is ", time, " s: give a finite number."));
         return with_view(wind, WINDROW_FRAME_NOW, [&](const WindView& view) -> windrow_result {
             std::vector<float> inside(view.field().size());
             if (const auto written = wind->reader->write_obstacles(inside); !written)
@@ -442,6 +444,8 @@ WINDROW_EXPORT windrow_result windrow_wind_write_field(const windrow_wind* wind,
             FieldGrid grid = field_grid(view, inside);
             grid.time = time;
             const auto written = write_field(path_of(path), wanted, grid);
+            if (!written && written.failure().fault == Fault::out_of_memory)
+                return done(written);
             if (!written)
                 return fail(written.failure().fault == Fault::system_lacks ? WINDROW_DISK_FULL : WINDROW_CANNOT_WRITE,
                             written.error());

@@ -71,6 +71,8 @@ void Cells::make_room(const CellNeeds& needs) {
         make_room_around(*needs.gusts);
     if (needs.step > 0.0)
         make_room_for_step(static_cast<float>(needs.step));
+    if (needs.frames && frames.before.empty())
+        frames = std::exchange(frames_before_, {});
     if (needs.frames && frames.before.empty()) {
         const std::size_t cells = air.velocity.size();
         frames = {.before = Buffer<glm::vec4>(cells),
@@ -251,7 +253,7 @@ void Cells::apply(const CellChange& change) {
         keep();
         return show_air();
     case CellChange::Kind::end_frames:
-        frames = {};
+        frames_before_ = std::exchange(frames, {});
         return;
     }
 }
@@ -455,8 +457,8 @@ void Cells::materialise_all() {
 }
 
 std::size_t Cells::memory_bytes() const {
-    return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + diffused_.bytes() + sources.memory_bytes() +
-           mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
+    return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + frames_before_.memory_bytes() + diffused_.bytes() +
+           sources.memory_bytes() + mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
            (profile_bends_.size() + open_parts_.capacity()) * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() +
            solved.bytes() + (layer_ ? layer_->memory_bytes() : 0) + loads.memory_bytes() +
            sheltered_air_.capacity() * sizeof(glm::vec4) + sampled_.cells.bytes() + reading_maker_.memory_bytes();

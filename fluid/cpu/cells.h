@@ -246,6 +246,7 @@ class Cells final : public CellStorage {
     std::shared_ptr<const SurfaceReading> reading_; ///< null: none, or stale
     CellIndex reading_origin_{0};                   ///< of the window that it was made for
     bool reading_stale_ = true;
+    FrameCells frames_before_;      ///< of ticks that ended: a host may still show their memory
     SampledCells sampled_;          ///< of the air; not with frames
     std::vector<float> open_parts_; ///< scratch of open_parts
     FreeAir free_air_;              ///< potential of the volume sources; empty until the first

@@ -198,7 +198,18 @@ Result<void> Workspace::set_boundaries(const Boundaries& boundaries) {
     if (auto valid = validate(wanted); !valid)
         return valid;
     return detail::where_memory_lasts([&]() -> Result<void> {
+        std::vector<PlacedObstacle> bodies;
+        if (state_->has_solids())
+            bodies.assign(solids()->bodies().begin(), solids()->bodies().end());
         state_->set_boundaries(boundaries);
+        if (bodies.empty())
+            return {};
+        try { // other boundaries make other images and rooms, in arrays of another pitch
+            state_->set_obstacles(bodies);
+        } catch (...) {
+            state_->solids.reset();
+            throw;
+        }
         return {};
     });
 }

@@ -44,7 +44,7 @@ std::string fga(const FieldGrid& grid) {
     std::string text;
     const auto row = [&](double x, double y, double z) {
         char digits[40];
-        for (const double number : {x, y, z}) { // six digits, as a float has
+        for (const double number : {x, y, z}) { // seven digits, as a float has
             const auto end =
                 std::to_chars(digits, digits + sizeof digits, static_cast<float>(number), std::chars_format::general, 7).ptr;
             text.append(digits, end).append(1, ',');
@@ -234,7 +234,7 @@ FieldGrid field_grid(const WindView& air, std::span<const float> obstacle) {
         return grid;
     }
     const float height = box.size().y;
-    grid.cells.y = std::max(1, static_cast<int>(std::lround(height / box.cell_size)));
+    grid.cells.y = static_cast<int>(std::clamp(std::round(height / box.cell_size), 1.0f, 65535.0f));
     grid.cell_size.y = height / static_cast<float>(grid.cells.y);
     const std::size_t count =
         static_cast<std::size_t>(grid.cells.x) * static_cast<std::size_t>(grid.cells.y) * static_cast<std::size_t>(grid.cells.z);
@@ -276,12 +276,14 @@ Result<void> write_field(const std::filesystem::path& file, FieldFormat format, 
         constexpr std::array k_makers{fga, vf, raw, npz, vti};
         if (static_cast<std::size_t>(format) >= k_makers.size())
             return Error{message(file.string(), ": there is no format ", static_cast<int>(format), ".")};
-        if (format == FieldFormat::raw) {
-            auto words = file;
-            if (auto written = detail::write_file("field", words.replace_extension(".json"), raw_words(grid)); !written)
-                return written;
-        }
-        return detail::write_file("field", file, k_makers[static_cast<std::size_t>(format)](grid));
+        constexpr std::size_t k_bytes_a_cell = 13, k_head = 4096; // of npz, whose sizes have 32 bits
+        if (format == FieldFormat::npz && count > (0xffffffffu - k_head) / k_bytes_a_cell)
+            return Error{message(file.string(), ": npz holds less than 4 GiB: give fewer cells than ", count, ".")};
+        const auto written = detail::write_file("field", file, k_makers[static_cast<std::size_t>(format)](grid));
+        if (!written || format != FieldFormat::raw)
+            return written;
+        auto words = file;
+        return detail::write_file("field", words += ".json", raw_words(grid));
     });
 }
 

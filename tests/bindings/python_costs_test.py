@@ -6,6 +6,7 @@ import resource
 import threading
 import time
 import unittest
+import zlib
 
 import numpy as np
 
@@ -48,20 +49,25 @@ class Costs(unittest.TestCase):
         self.assertLess(many / in_c, 1.05)
 
     def test_two_threads_step_two_winds_at_once(self):
-        """On a free machine: how much of two cores both use. What does not depend on that is python_test.py, Winds.test_python_runs_during_a_call."""
+        """Beside what two threads get of this machine for work that holds nothing, in turns."""
         winds = [windrow.Wind(windrow.Config(cells=(64, 32, 64), ambient=(3, 0, 0))) for _ in range(2)]
-        def steps(wind):
+        for wind in winds:
             wind.motors.add(windrow.JetMotor())
-            for _ in range(60):
-                wind.step(1 / 60)
-        threads = [threading.Thread(target=steps, args=(wind,)) for wind in winds]
-        wall, cpu = time.perf_counter(), time.process_time()
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        ratio = (time.process_time() - cpu) / (time.perf_counter() - wall)
-        print(f"[figure] python_two_threads = {ratio:.2f} cores (1.7 on a free machine)")
+        text = np.random.default_rng(1).bytes(1 << 20)
+        def cores_of(works):
+            threads = [threading.Thread(target=work) for work in works]
+            wall, cpu = time.perf_counter(), time.process_time()
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            return (time.process_time() - cpu) / (time.perf_counter() - wall)
+        ours, free = 0.0, 0.0
+        for _ in range(5):
+            free = max(free, cores_of([lambda: [zlib.crc32(text) for _ in range(150)]] * 2))
+            ours = max(ours, cores_of([lambda wind=wind: [wind.step(1 / 60) for _ in range(20)] for wind in winds]))
+        print(f"[figure] python_two_threads = {ours:.2f} cores, of {free:.2f} that this machine gives")
+        self.assertGreater(ours, 0.85 * free)
 
 
 def timed(call):

@@ -76,7 +76,7 @@ def main():
         print(said.strip())
         if "at the leaf" in block:
             expect(said == "3.19 m/s at the leaf\n", f"README's lines print {said}")
-    for tests in ("python_test.py", "python_costs_test.py"):
+    for tests in ("python_test.py", "python_settings_test.py", "python_costs_test.py"):
         print(run([python, "-B", args.root / "tests/bindings" / tests], cwd=args.work, env=environment).strip())
 
     times = [float(run([python, "-B", "-c", "import time, numpy, dataclasses, enum, typing; t = time.perf_counter(); import windrow; "

@@ -133,7 +133,8 @@ TEST_F(Command, RunWithoutOutputsMakesNoFolder) {
     const CommandOutcome outcome = run({"run", scene.c_str(), "--out", out.c_str()});
     EXPECT_EQ(outcome.code, k_exit_well);
     EXPECT_FALSE(fs::exists(out));
-    EXPECT_NE(outcome.out.find("Nothing was kept: add --images, --vdb or --csv."), std::string::npos);
+    EXPECT_NE(outcome.out.find("Nothing was kept: add --images, --vdb, --fields, --csv, --probe or --forces."),
+              std::string::npos);
 }
 
 TEST_F(Command, FramesMayBeFewerOrMoreThanTheScenes) {

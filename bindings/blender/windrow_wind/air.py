@@ -102,6 +102,12 @@ def thickened(vertices: np.ndarray, triangles: np.ndarray, thickness: float) -> 
                                 np.concatenate([triangles, triangles[:, ::-1] + len(vertices), walls]))
 
 
+def is_open(triangles: np.ndarray) -> bool:
+    """Whether an edge has no other side, or more than one."""
+    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    return bool((np.unique(edges, axis=0, return_counts=True)[1] != 2).any())
+
+
 class Shape:
     """The form of a mesh, and where its middle is in the object's own axes."""
 
@@ -111,10 +117,11 @@ class Shape:
             self.shape = windrow.MeshShape(windrow.TriangleMesh(vertices, triangles))
             return
         except windrow.WindrowError as error:
-            if "open" not in str(error):
+            if not is_open(triangles):
                 raise windrow.WindrowError(f"{name}: {error}") from None
         low, high = vertices.min(axis=0), vertices.max(axis=0)
-        step = min(0.5 * cell_size, float((high - low).max()) / 24)
+        extent = float((high - low).max())
+        step = max(min(0.5 * cell_size, extent / 24), extent / 60)
         if step > 0.0:
             counts = np.minimum(np.ceil((high - low) / step).astype(int) + 2, 64)
             axes = [low[n] + (np.arange(counts[n]) - 0.5) * step for n in range(3)]
@@ -151,7 +158,8 @@ class Body:
 
     def place(self, wind: windrow.Wind, graph) -> None:
         vertices, triangles = mesh_of(self.thing, graph)
-        changed = vertices.shape != self.vertices.shape or not np.allclose(vertices, self.vertices, atol=1e-5)
+        size = float(np.ptp(vertices, axis=0).max()) if len(vertices) else 0.0
+        changed = vertices.shape != self.vertices.shape or not np.allclose(vertices, self.vertices, rtol=0.0, atol=1e-5 * max(1.0, size))
         if changed:  # a cloth, a pose
             self.vertices, self.triangles = vertices, triangles
             self.form = Shape(self.thing.name, vertices, triangles, self.cell_size)
@@ -218,7 +226,8 @@ class Air:
         return {"wind": self.wind.save(), "motors": {name: known.numbers for name, known in self.motors.items()},
                 "obstacles": [body.id.numbers for body in self.bodies]}
 
-    def fingerprint(self) -> str:
-        """Of what a bake depends on besides the animation."""
-        said = repr((self.config, sorted(self.motors), [(body.thing.name, len(body.vertices)) for body in self.bodies], self.dt))
-        return hashlib.sha256(said.encode()).hexdigest()[:16]
+    def parts(self) -> list[object]:
+        """What a bake depends on besides the animation."""
+        return [self.config, self.dt, [motor_of(self.scene.objects[name]) for name in self.motors],
+                [(body.thing.name, hashlib.sha256(body.vertices.tobytes() + body.triangles.tobytes()).hexdigest()) for body in self.bodies],
+                self.scene.windrow.follow and self.scene.windrow.follow.name, self.scene.windrow.warm_up]

@@ -3,8 +3,10 @@
 Blades get their vertices. Points get an object NAME.wind whose vertices are the wind [m/s] at theirs, for geometry nodes to read by index.
 """
 
+import hashlib
+import json
 import pathlib
-import pickle
+import re
 import struct
 
 import bpy
@@ -38,7 +40,7 @@ def play(thing, file: pathlib.Path, start: int) -> None:
     """Lets Blender's own modifier play the file."""
     modifier = thing.modifiers.get("Wind") or thing.modifiers.new("Wind", "MESH_CACHE")
     modifier.cache_format = "PC2"
-    modifier.filepath = str(file)
+    modifier.filepath = bpy.path.relpath(str(file)) if bpy.data.filepath else str(file)  # a saved project can be moved
     modifier.frame_start = start
     modifier.forward_axis, modifier.up_axis = "POS_Y", "POS_Z"
     modifier.show_viewport = modifier.show_render = True
@@ -56,23 +58,34 @@ class Points:
 
     def __init__(self, thing) -> None:
         self.thing = thing
+        self.count = len(self._places())
         name = f"{thing.name}.wind"
         mesh = bpy.data.meshes.get(name) or bpy.data.meshes.new(name)
-        count = len(thing.data.vertices)
-        if len(mesh.vertices) != count:
+        if len(mesh.vertices) != self.count:
             mesh.clear_geometry()
-            mesh.vertices.add(count)
+            mesh.vertices.add(self.count)
         self.shown = bpy.data.objects.get(name) or bpy.data.objects.new(name, mesh)
         if self.shown.name not in bpy.context.scene.objects:
             bpy.context.scene.collection.objects.link(self.shown)
         self.shown.hide_viewport = self.shown.hide_render = True
 
-    def wind(self, wind: windrow.Wind) -> np.ndarray:
+    def _places(self) -> np.ndarray:
         evaluated = self.thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
         places = np.empty(3 * len(evaluated.data.vertices), np.float32)
         evaluated.data.vertices.foreach_get("co", places)
+        return places.reshape(-1, 3)
+
+    def wind(self, wind: windrow.Wind) -> np.ndarray:
+        places = self._places()
+        if len(places) != self.count:
+            raise windrow.WindrowError(f"{self.thing.name} has {len(places)} vertices and had {self.count}: their number must stay.")
         world = np.array(self.thing.matrix_world)
-        return to_blender(wind.sample(to_wind(places.reshape(-1, 3) @ world[:3, :3].T + world[:3, 3])))
+        return to_blender(wind.sample(to_wind(places @ world[:3, :3].T + world[:3, 3])))
+
+
+def file_name(name: str) -> str:
+    """Of an object's name, on every system."""
+    return re.sub(r"[^\w. -]", "_", name)
 
 
 class Bake:
@@ -83,53 +96,69 @@ class Bake:
         self.folder = pathlib.Path(bpy.path.abspath(scene.windrow.folder))
         self.folder.mkdir(parents=True, exist_ok=True)
         self.first, self.last = scene.frame_start, scene.frame_end
-        self.done = 0
-        self.state_file = self.folder / "state.windrow"
-        targets = sorted((thing for thing in scene.objects if thing.windrow.role in ("BLADES", "POINTS") and thing.type == "MESH"),
-                         key=lambda thing: thing.name)
-        if not targets:
+        self.state_file = self.folder / "state.npz"
+        self.targets = sorted((thing for thing in scene.objects if thing.windrow.role in ("BLADES", "POINTS") and thing.type == "MESH"),
+                              key=lambda thing: thing.name)
+        if not self.targets:
             raise windrow.WindrowError("nothing is baked: give an object the role Blades or Points.")
         scene.frame_set(self.first)
+        self._make(None)
+        self.fingerprint = self._fingerprint()
+        self.done = 0
         saved = None if restart else self._saved()
         if saved is not None:
             scene.frame_set(self.first + saved["done"] - 1)
-        self.air = Air(scene, saved and saved["air"])
-        self.meadows = [Meadow(thing) for thing in targets if thing.windrow.role == "BLADES"]
-        self.points = [Points(thing) for thing in targets if thing.windrow.role == "POINTS"]
-        if saved is not None and saved["fingerprint"] == self.fingerprint():
+            self._make(saved["air"])
             self.done = saved["done"]
             for meadow, (place, velocity, target) in zip(self.meadows, saved["springs"]):
-                meadow.springs.place[:], meadow.springs.velocity[:], meadow.springs._target = place, velocity, target
-        elif saved is not None:  # of other settings
-            scene.frame_set(self.first)
-            self.air = Air(scene)
-        frames = self.last - self.first + 1
-        self.caches = [Cache(self.folder / f"{thing.name}.pc2", count, self.first, frames) for thing, count in
-                       [*((meadow.thing, len(meadow.thing.data.vertices)) for meadow in self.meadows),
-                        *((points.shown, len(points.shown.data.vertices)) for points in self.points)]]
+                meadow.springs.place, meadow.springs.velocity, meadow.springs._target = place, velocity, target
         self.notes = self.air.notes
 
+    def _make(self, saved) -> None:
+        self.air = Air(self.scene, saved)
+        if saved is None:  # where blades stand is of the first frame
+            self.meadows = [Meadow(thing) for thing in self.targets if thing.windrow.role == "BLADES"]
+            self.points = [Points(thing) for thing in self.targets if thing.windrow.role == "POINTS"]
+            self.shown = [*(meadow.thing for meadow in self.meadows), *(points.shown for points in self.points)]
+            counts = [*(len(meadow.thing.data.vertices) for meadow in self.meadows), *(points.count for points in self.points)]
+            self.caches = [Cache(self.folder / f"{file_name(thing.name)}.pc2", count, self.first, self.last - self.first + 1)
+                           for thing, count in zip(self.shown, counts)]
+            if len({cache.file for cache in self.caches}) < len(self.caches):
+                raise windrow.WindrowError("two targets have one file: give them names that differ in letters.")
+
+    def _fingerprint(self) -> str:
+        meadows = [(meadow.thing.name, meadow.settings, meadow.thing.windrow.plant, hashlib.sha256(meadow.roots.tobytes()).hexdigest())
+                   for meadow in self.meadows]
+        said = repr((windrow.__version__, self.air.parts(), self.first, self.last, meadows, [(cache.file.name, cache.points) for cache in self.caches]))
+        return hashlib.sha256(said.encode()).hexdigest()
+
     def _saved(self):
+        """The state of the same bake; None: there is none, or of other settings, or it cannot be read."""
         try:
-            return pickle.loads(self.state_file.read_bytes())
-        except (OSError, pickle.UnpicklingError, EOFError, KeyError):
+            with np.load(self.state_file, allow_pickle=False) as kept:
+                words = json.loads(kept["words"].tobytes())
+                if words["fingerprint"] != self.fingerprint or not all(cache.file.exists() for cache in self.caches):
+                    return None
+                springs = [tuple(kept[f"springs_{n}"]) for n in range(len(self.meadows))]
+                return {"done": words["done"], "springs": springs,
+                        "air": {"wind": kept["wind"].tobytes(), "motors": words["motors"], "obstacles": words["obstacles"]}}
+        except (OSError, ValueError, KeyError):
             return None
 
-    def fingerprint(self) -> str:
-        return f"{self.air.fingerprint()} {self.first} {self.last} {[(meadow.thing.name, len(meadow.roots)) for meadow in self.meadows]}"
-
-    def _save(self) -> None:
-        state = {"fingerprint": self.fingerprint(), "done": self.done, "air": self.air.save(),
-                 "springs": [(meadow.springs.place.copy(), meadow.springs.velocity.copy(), meadow.springs._target) for meadow in self.meadows]}
-        part = self.state_file.with_suffix(".part")
-        part.write_bytes(pickle.dumps(state))
+    def save(self) -> None:
+        """What the next bake goes on from."""
+        air = self.air.save()
+        words = {"fingerprint": self.fingerprint, "done": self.done, "motors": air["motors"], "obstacles": air["obstacles"]}
+        arrays = {f"springs_{n}": np.stack([meadow.springs.place, meadow.springs.velocity, meadow.springs._target])
+                  for n, meadow in enumerate(self.meadows)}
+        part = self.state_file.with_name("state.part.npz")
+        np.savez(part, words=np.frombuffer(json.dumps(words).encode(), np.uint8), wind=np.frombuffer(air["wind"], np.uint8), **arrays)
         part.replace(self.state_file)
 
     def frames(self):
         """Bakes; yields how many frames are done."""
         count = self.last - self.first + 1
-        shown = [*(meadow.thing for meadow in self.meadows), *(points.shown for points in self.points)]
-        for thing in shown:
+        for thing in self.shown:
             stop_playing(thing)
         if self.done == 0:
             for _ in range(self.scene.windrow.warm_up):
@@ -148,10 +177,14 @@ class Bake:
                 cache.write(self.done, points)
             self.done += 1
             if self.done % EVERY == 0 or self.done == count:
-                self._save()
+                self.save()
             yield self.done
-        for thing, cache in zip(shown, self.caches):
-            play(thing, cache.file, self.first)
+
+    def play(self) -> None:
+        """What is baked so far."""
+        for thing, cache in zip(self.shown, self.caches):
+            if cache.file.exists():
+                play(thing, cache.file, self.first)
 
 
 class WINDROW_OT_bake(bpy.types.Operator):
@@ -165,7 +198,7 @@ class WINDROW_OT_bake(bpy.types.Operator):
     def _begin(self, context) -> bool:
         try:
             self._bake = Bake(context.scene, self.restart)
-        except windrow.WindrowError as error:
+        except (windrow.WindrowError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return False
         for note in self._bake.notes:
@@ -173,18 +206,26 @@ class WINDROW_OT_bake(bpy.types.Operator):
         self._frames = self._bake.frames()
         return True
 
+    def _next(self):
+        """How many frames are done; None: all, or an error, which is reported."""
+        try:
+            return next(self._frames, None)
+        except (windrow.WindrowError, OSError) as error:
+            self.report({"ERROR"}, str(error))
+            self._failed = True
+        return None
+
     def execute(self, context):
+        self._failed = False
         if not self._begin(context):
             return {"CANCELLED"}
-        try:
-            for _ in self._frames:
-                pass
-        except windrow.WindrowError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        while self._next() is not None:
+            pass
+        self._bake.play()
+        return {"CANCELLED"} if self._failed else {"FINISHED"}
 
     def invoke(self, context, event):
+        self._failed = False
         if not self._begin(context):
             return {"CANCELLED"}
         manager = context.window_manager
@@ -194,26 +235,20 @@ class WINDROW_OT_bake(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event):
-        if event.type == "ESC":
-            return self._end(context, {"CANCELLED"})
-        if event.type != "TIMER":
+        if event.type not in ("ESC", "TIMER"):
             return {"PASS_THROUGH"}
-        try:
-            done = next(self._frames, None)
-        except windrow.WindrowError as error:
-            self.report({"ERROR"}, str(error))
-            return self._end(context, {"CANCELLED"})
-        if done is None:
-            return self._end(context, {"FINISHED"})
-        context.window_manager.progress_update(done)
-        return {"RUNNING_MODAL"}
-
-    def _end(self, context, result):
-        if result == {"CANCELLED"} and self._bake.done:
-            self._bake._save()
+        done = None
+        if event.type == "TIMER":
+            done = self._next()
+            if done is not None:
+                context.window_manager.progress_update(done)
+                return {"RUNNING_MODAL"}
+        elif self._bake.done:
+            self._bake.save()
         context.window_manager.event_timer_remove(self._timer)
         context.window_manager.progress_end()
-        return result
+        self._bake.play()
+        return {"CANCELLED"} if self._failed or event.type == "ESC" else {"FINISHED"}
 
 
 def register() -> None:

@@ -8,15 +8,20 @@ from . import panel
 from .air import to_blender, to_wind
 
 ROWS = 4
+MOST = 1_000_000
 
 
 def scattered(mesh, density: float, seed: int) -> np.ndarray:
     """Points on the faces of a mesh, evenly by area, in its own axes."""
     mesh.calc_loop_triangles()
     corners = np.array([[mesh.vertices[v].co for v in triangle.vertices] for triangle in mesh.loop_triangles])
+    if not len(corners):
+        return np.empty((0, 3))
     areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     random = np.random.default_rng(seed)
     count = int(round(areas.sum() * density))
+    if not 1 <= count <= MOST:
+        return np.empty((count if count < 1 else MOST + 1, 0))
     of = corners[random.choice(len(areas), count, p=areas / areas.sum())]
     u, v = random.random((2, count, 1))
     flip = u + v > 1.0
@@ -29,17 +34,22 @@ class Meadow:
 
     def __init__(self, thing) -> None:
         self.thing = thing
+        if "windrow_roots" not in thing:
+            raise windrow.WindrowError(f"{thing.name} has no blades: make them by Add blades on a mesh.")
         roots = np.array(thing["windrow_roots"], np.float64).reshape(-1, 3)
+        if len(thing.data.vertices) != 2 * ROWS * len(roots):
+            raise windrow.WindrowError(f"{thing.name} was edited: its {len(thing.data.vertices)} vertices are not those of {len(roots)} blades.")
         world = np.array(thing.matrix_world)
         self.roots = to_wind(roots @ world[:3, :3].T + world[:3, 3])
         self.keys = windrow.plant_keys(self.roots[:, [0, 2]])
-        self.blades = windrow.Blades(windrow.BladeSettings(**panel.values_of(windrow.BladeSettings, thing.windrow.blades)))
+        self.settings = windrow.BladeSettings(**panel.values_of(windrow.BladeSettings, thing.windrow.blades))
+        self.blades = windrow.Blades(self.settings)
         self.springs = windrow.Springs(thing.windrow.plant, np.zeros((len(self.roots), 3)))
         self.heights = np.linspace(0.0, 1.0, ROWS)
         self.to_object = np.linalg.inv(world)
 
     def advance(self, wind: windrow.Wind, dt: float) -> None:
-        half = 0.5 * self.thing.windrow.blades.stalk.length
+        half = 0.5 * self.settings.stalk.length if self.settings.stalk else 0.15
         acting = wind.sample(self.roots + (0.0, half, 0.0), windrow.Sampling())
         self.springs.advance(self.blades.loads(self.keys, acting)[:, :3], dt)
 
@@ -70,8 +80,8 @@ class WINDROW_OT_add_blades(bpy.types.Operator):
         mesh.transform(ground.matrix_world)
         roots = scattered(mesh, self.density, self.seed)
         ground.evaluated_get(context.evaluated_depsgraph_get()).to_mesh_clear()
-        if not 1 <= len(roots) <= 1_000_000:
-            self.report({"ERROR"}, f"{len(roots)} blades: give a density that makes 1 to 1,000,000 of them.")
+        if not 1 <= len(roots) <= MOST:
+            self.report({"ERROR"}, f"The mesh would have {'no' if len(roots) < 1 else 'too many'} blades: give a density that makes 1 to {MOST:,}.")
             return {"CANCELLED"}
         thing = bpy.data.objects.new(f"{ground.name} blades", bpy.data.meshes.new(f"{ground.name} blades"))
         context.collection.objects.link(thing)
@@ -80,7 +90,8 @@ class WINDROW_OT_add_blades(bpy.types.Operator):
         count = len(roots)
         first = (np.arange(count)[:, None] * 2 * ROWS + np.arange(ROWS - 1)[None, :] * 2).reshape(-1)
         quads = np.stack([first, first + 1, first + 3, first + 2], axis=1)
-        thing.data.from_pydata(Meadow(thing).vertices().tolist(), [], quads.tolist())
+        thing.data.from_pydata(np.zeros((2 * ROWS * count, 3)).tolist(), [], quads.tolist())
+        thing.data.vertices.foreach_set("co", Meadow(thing).vertices().reshape(-1))
         thing.data.update()
         return {"FINISHED"}
 

@@ -54,7 +54,8 @@ def property_of(owner: type, field: dataclasses.Field, value):
     if kind == "Vec3":
         return bpy.props.FloatVectorProperty(size=3, default=value, subtype="XYZ", **options)
     if kind == "IVec3":
-        return bpy.props.IntVectorProperty(size=3, default=value, min=1, max=2048, name=options["name"], description=options["description"])
+        x, y, z = value  # z up here
+        return bpy.props.IntVectorProperty(size=3, default=(x, z, y), min=1, max=2048, name=options["name"], description=options["description"])
     words = typing.get_args(getattr(settings, str(kind), None))
     if words:
         return bpy.props.EnumProperty(items=[(word, word.replace("_", " ").capitalize(), "") for word in words], default=value,
@@ -184,7 +185,8 @@ class WINDROW_PT_scene(bpy.types.Panel):
         draw(layout, windrow.Config, wind.config)
         for name in ("folder", "warm_up"):
             layout.prop(wind, name)
-        layout.operator("windrow.bake")
+        layout.operator("windrow.bake").restart = False
+        layout.operator("windrow.bake", text="Bake anew").restart = True
 
 
 class WINDROW_PT_object(bpy.types.Panel):

@@ -14,7 +14,7 @@
 Right-handed, y up, metres and seconds. Fields are arrays of numpy's, indexed [z, y, x, component]. What cannot be done is a WindrowError
 with one sentence.
 """
-from ._library import WindrowError, library as _c_library
+from ._library import WindrowError, WindrowWarning, library as _c_library
 from ._values import Stage
 from ._version import __version__
 from .forms import (AlignedBox, Block, Capsule, Cone, Cylinder, Drive, Force, Ground, GustTile, HeightMap, MeshShape, Plate, Sphere,

@@ -5,6 +5,7 @@ import ctypes
 import os
 import pathlib
 import sys
+import warnings
 from typing import Any, Callable, NoReturn
 
 from . import _c
@@ -17,9 +18,9 @@ _KINDS = {_c.REJECTED: "rejected", _c.STALE: "stale", _c.OUT_OF_MEMORY: "out of 
 
 
 class WindrowError(Exception):
-    """A call failed and changed nothing. The text is the library's sentence: what is wrong, its value, the fix.
+    """A call failed. The text is the library's sentence: what is wrong, its value, the fix.
 
-    `kind` is its class: "rejected", "stale", "out of memory", "cannot write", "disk full", "unsupported", "not ready" or "unexpected".
+    `kind` is its class: "rejected", "stale", "out of memory", "cannot write", "disk full", "unsupported" or "unexpected".
     """
 
     def __init__(self, sentence: str, kind: str = "rejected") -> None:
@@ -54,8 +55,21 @@ def _load() -> Any:
 library = _load()
 
 
+class WindrowWarning(UserWarning):
+    """What the library warns of: cells that it repaired, a motor that reaches no air, what a scene lacks."""
+
+
+def _log(severity: int, sentence: bytes, _user: object) -> None:
+    if severity == _c.SEVERITY_WARNING:
+        warnings.warn(sentence.decode(errors="replace"), WindrowWarning, stacklevel=3)
+
+
+_LOGGER = _c.Logger(_log)  # called as long as the process runs
+library.windrow_set_logger(_LOGGER, None)
+
+
 def fail(result: int) -> NoReturn:
-    raise WindrowError(library.windrow_last_error().decode(), _KINDS.get(result, "unexpected"))
+    raise WindrowError(library.windrow_last_error().decode(errors="replace"), _KINDS.get(result, "unexpected"))
 
 
 def check(result: int) -> None:
@@ -66,11 +80,12 @@ def check(result: int) -> None:
 class Handle:
     """An object of the library, freed with its last user: the class that wraps it, arrays that look into its memory."""
 
-    __slots__ = ("pointer", "_destroy", "_keeps", "__weakref__")
+    __slots__ = ("pointer", "log", "_destroy", "_keeps", "__weakref__")
 
     def __init__(self, create: Callable[[Any], Any], destroy: str, *keeps: object) -> None:
         self._destroy: Any = None  # for __del__, where creating fails
         self._keeps = keeps        # what the object points to
+        self.log: object = None    # what it writes to, where it is a wind that is recorded
         pointer = ctypes.c_void_p()
         check(create(ctypes.byref(pointer)))
         self.pointer = pointer
@@ -80,8 +95,14 @@ class Handle:
     def part_of(cls, owner: Handle, pointer: int) -> Handle:
         """An object that belongs to another one."""
         handle = cls.__new__(cls)
-        handle._destroy, handle._keeps, handle.pointer = None, (owner,), ctypes.c_void_p(pointer)
+        handle._destroy, handle._keeps, handle.log, handle.pointer = None, (owner,), None, ctypes.c_void_p(pointer)
         return handle
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("an object of the library cannot be copied or pickled: save a wind or a scene, or make the object again")
+
+    def __copy__(self) -> Handle:
+        return self
 
     def __del__(self) -> None:
         if self._destroy is not None:

@@ -1,8 +1,14 @@
 """Values on their way into the library's structs and back, and arrays of numpy's over its memory."""
 from __future__ import annotations
 
+import ast
 import ctypes
+import dataclasses
 import enum
+import inspect
+import operator
+import os
+import sys
 from collections.abc import Sequence
 from typing import Any, ClassVar, TypeVar
 
@@ -18,6 +24,7 @@ IVec3 = Sequence[int]
 Quat = Sequence[float]  # x, y, z, w
 Floats = npt.NDArray[np.float32]
 S = TypeVar("S", bound="Settings")
+T = TypeVar("T")
 
 
 class Stage(enum.IntFlag):
@@ -42,33 +49,92 @@ class Form:
         """The struct of a shape."""
         return None
 
+    def _as_shared(self) -> Handle:
+        """Of an object of the library."""
+        raise NotImplementedError
+
     def _as(self, kind: Any, place: str, keep: list[Any]) -> Any:
-        made = self._shape(keep) if kind is _c.Shape else self._to_c(keep)
-        if made is None or isinstance(made, ctypes.Structure) and not isinstance(made, kind):
+        try:
+            made = self._shape(keep) if kind is _c.Shape else self._to_c(keep)
+        except TypeError:
+            raise WindrowError(f"{place} is {self!r}: give numbers.") from None
+        if not isinstance(made, kind):
             raise WindrowError(f"{place} is {_article(type(self).__name__)}, which is no {kind.__name__}.")
         return made
 
 
+# --- What a caller gives, or one sentence -----------------------------------------------------------------------------------
+
+def number(name: str, value: Any) -> float:
+    try:
+        return float(value) if not isinstance(value, (str, bytes)) and value is not None else _no_number(name, value)
+    except (TypeError, ValueError, OverflowError):
+        return _no_number(name, value)
+
+
+def _no_number(name: str, value: Any) -> float:
+    raise WindrowError(f"{name} is {value!r}: give a number.")
+
+
+def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1) -> int:
+    try:
+        found = operator.index(value)
+    except TypeError:
+        raise WindrowError(f"{name} is {value!r}: give a whole number.") from None
+    if not least <= found <= most:
+        raise WindrowError(f"{name} is {found}: give {least} to {most}.")
+    return found
+
+
+def text(name: str, value: Any) -> bytes:
+    """UTF-8 of a word or a path."""
+    try:
+        found = value.encode() if isinstance(value, str) else os.fsencode(value)
+    except TypeError:
+        raise WindrowError(f"{name} is {value!r}: give text.") from None
+    if b"\0" in found:
+        raise WindrowError(f"{name} is {value!r}: leave out the character of number 0.")
+    return found
+
+
+def data(name: str, value: Any) -> bytes:
+    if not isinstance(value, (bytes, bytearray, memoryview)):
+        raise WindrowError(f"{name} is {_article(type(value).__name__)}: give bytes.")
+    return bytes(value)
+
+
+def of_class(name: str, value: Any, kind: type[T]) -> T:
+    if not isinstance(value, kind):
+        raise WindrowError(f"{name} is {value!r}: give {_article(kind.__name__)}.")
+    return value
+
+
 def _choice(name: str, word: object, words: Sequence[str]) -> int:
-    if word not in words:
+    if not isinstance(word, str) or word not in words:
         raise WindrowError(f"{name} is {word!r}: give {', '.join(map(repr, words[:-1]))} or {words[-1]!r}.")
-    return words.index(str(word))
+    return words.index(word)
 
 
 def _numbers(name: str, value: Any, kind: Any) -> Any:
     """A vector of the library's."""
     count = len(kind._fields_)
+    is_whole = "int" in kind._fields_[0][1].__name__
     try:
-        if len(value) == count:
-            return kind(*value)
+        parts = list(value) if not isinstance(value, (str, bytes, dict)) else []
     except TypeError:
-        pass
-    whole = "whole " if "int" in kind._fields_[0][1].__name__ else ""
-    raise WindrowError(f"{name} is {value!r}: give {count} {whole}numbers.")
+        parts = []
+    if len(parts) != count or isinstance(parts[0], (str, bytes)):
+        raise WindrowError(f"{name} is {value!r}: give {count} {'whole ' if is_whole else ''}numbers.")
+    try:
+        return kind(*(whole(name, part, -2**31) if is_whole else part for part in parts))
+    except (TypeError, OverflowError):
+        raise WindrowError(f"{name} is {value!r}: give {count} {'whole ' if is_whole else ''}numbers.") from None
+    except WindrowError:
+        raise WindrowError(f"{name} is {value!r}: give {count} whole numbers.") from None
 
 
 def _article(name: str) -> str:
-    return f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"
 
 
 def _shortest(value: float) -> float:
@@ -79,10 +145,27 @@ def _shortest(value: float) -> float:
 class Settings:
     """Base of the dataclasses of settings.py."""
 
+    __slots__ = ()
     _struct: ClassVar[Any]
     _init: ClassVar[str] = ""
     _words: ClassVar[dict[str, tuple[str, ...]]] = {}
     _letters: ClassVar[dict[str, str]] = {}
+    _shared: ClassVar[dict[str, type[Form]]] = {}  # fields that name an object of the library
+    _not_negative: ClassVar[tuple[str, ...]] = ()  # below 0 is the default, which is None here
+
+    @classmethod
+    def describe(cls) -> str:
+        """Each field with its default, unit, range and meaning: what an editor shows beside it."""
+        said = [inspect.getdoc(cls) or cls.__name__, ""]
+        fields = {field.name: field for field in dataclasses.fields(cls)}
+        module = ast.parse(inspect.getsource(sys.modules[cls.__module__]))
+        body = next(node.body for node in module.body if isinstance(node, ast.ClassDef) and node.name == cls.__name__)
+        for field, below in zip(body, body[1:]):
+            if isinstance(field, ast.AnnAssign) and isinstance(below, ast.Expr) and isinstance(below.value, ast.Constant):
+                name = ast.unparse(field.target)
+                if name in fields:
+                    said.append(f"{name} = {ast.unparse(field.value) if field.value else ''}\n    {' '.join(str(below.value.value).split())}")
+        return "\n".join(said)
 
     def _to_c(self, keep: list[Any]) -> Any:
         """The C struct; `keep` holds what it points to."""
@@ -94,12 +177,6 @@ class Settings:
                 self._put(struct, name, kind, getattr(self, name), keep)
         return struct
 
-    def _as(self, kind: Any, place: str, keep: list[Any]) -> Any:
-        expected = kind if issubclass(kind, ctypes.Structure) else kind._type_
-        if self._struct is not expected:
-            raise WindrowError(f"{place} is {_article(type(self).__name__)}, which is no {expected.__name__}.")
-        return self._to_c(keep)
-
     def _put(self, struct: Any, name: str, kind: Any, value: Any, keep: list[Any]) -> None:
         place = f"{type(self).__name__}.{name}"
         if value is None:
@@ -107,35 +184,49 @@ class Settings:
         if name in self._words:
             value = _choice(place, value, self._words[name])
         elif name in self._letters:
-            value = sum(1 << _choice(place, letter, self._letters[name]) for letter in value)
-        elif isinstance(value, (Settings, Form)):
-            value = value._as(kind, place, keep)
-            if isinstance(value, Handle):
-                keep.append(value)
-                value = value.pointer
-            elif not issubclass(kind, ctypes.Structure):
-                keep.append(value)
-                value = ctypes.pointer(value)
+            letters = of_class(place, value, str)
+            value = sum(1 << _choice(place, letter, self._letters[name]) for letter in dict.fromkeys(letters))
+        elif name in self._shared:
+            if not isinstance(value, self._shared[name]):
+                raise WindrowError(f"{place} is {value!r}: give {_article(self._shared[name].__name__)}, or None.")
+            keep.append(value)
+            value = value._as_shared().pointer
         elif kind in _CLASSES:
-            raise WindrowError(f"{place} is {value!r}: give {_article(kind.__name__)}.")
+            if type(value) is not _CLASSES[kind]:
+                raise WindrowError(f"{place} is {value!r}: give {_article(kind.__name__)}.")
+            value = value._to_c(keep)
         elif issubclass(kind, ctypes.Structure):
-            value = _numbers(place, value, kind)
+            if kind in _FORMS:
+                if not isinstance(value, Form):
+                    raise WindrowError(f"{place} is {value!r}: give {_FORMS[kind]}.")
+                value = value._as(kind, place, keep)
+            else:
+                value = _numbers(place, value, kind)
         elif hasattr(kind, "contents"):
-            if kind._type_ in _CLASSES:
-                raise WindrowError(f"{place} is {value!r}: give {_article(kind._type_.__name__)}, or None.")
-            try:
-                array = (kind._type_ * len(value))(*value)
-            except TypeError:
-                raise WindrowError(f"{place} is {value!r}: give a list of numbers.") from None
-            if len(value) == 0:
-                return
-            keep.append(array)
-            setattr(struct, name.removesuffix("s") + "_count", len(value))
-            value = array
-        try:
-            setattr(struct, name, value)
-        except TypeError:
-            raise WindrowError(f"{place} is {value!r}: give {'a whole number' if 'int' in kind.__name__ else 'a number'}.") from None
+            of = kind._type_
+            if of in _CLASSES:
+                if type(value) is not _CLASSES[of]:
+                    raise WindrowError(f"{place} is {value!r}: give {_article(of.__name__)}, or None.")
+                inner = value._to_c(keep)
+                keep.append(inner)
+                value = ctypes.pointer(inner)
+            else:
+                try:
+                    array = (of * len(value))(*value)
+                except TypeError:
+                    raise WindrowError(f"{place} is {value!r}: give a list of numbers.") from None
+                if len(value) == 0:
+                    return
+                keep.append(array)
+                setattr(struct, name.removesuffix("s") + "_count", len(value))
+                value = array
+        elif kind in _WHOLE:
+            value = whole(place, value, *_WHOLE[kind])
+        else:
+            value = number(place, value)
+            if name in self._not_negative and value < 0.0:
+                raise WindrowError(f"{place} is {value}: give 0 or more, or None.")
+        setattr(struct, name, value)
 
     @classmethod
     def _from_c(cls: type[S], struct: Any) -> S:
@@ -164,6 +255,9 @@ class Settings:
 
 
 _CLASSES: dict[Any, type[Settings]] = {}
+_FORMS = {_c.Shape: "a shape, such as Block()", _c.Region: "a region, such as Sphere()", _c.Law: "Drive() or Force()",
+          _c.WakeLaw: "WakeDrive() or WakeForce()"}
+_WHOLE = {ctypes.c_int32: (-2**31, 2**31 - 1), ctypes.c_uint32: (0, 2**32 - 1), ctypes.c_int64: (-2**63, 2**63 - 1)}
 
 
 # --- Arrays ----------------------------------------------------------------------------------------------------------------
@@ -178,6 +272,17 @@ def view(address: int, shape: tuple[int, ...], kind: Any, owner: object, writabl
     array = np.frombuffer(memory, dtype=kind).reshape(shape)
     array.flags.writeable = writable
     return array
+
+
+def as_array(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
+    """Numbers, in the byte order of this machine."""
+    try:
+        given = np.asarray(values)
+    except ValueError:
+        raise WindrowError(f"{name} is no array: its rows have different lengths.") from None
+    if given.dtype.kind not in "fiub":
+        raise WindrowError(f"{name} is an array of {given.dtype}: give numbers.")
+    return given if given.dtype.isnative else given.astype(given.dtype.newbyteorder("="))
 
 
 def pointer(array: npt.NDArray[Any]) -> Any:
@@ -199,7 +304,7 @@ def grid_of(cells: Any) -> tuple[int, int, int]:
 
 def field(name: str, values: npt.ArrayLike, grid: tuple[int, int, int]) -> tuple[Floats, bool]:
     """Velocities as the library reads them, x, y, z, 0 a cell, and whether the caller gave three numbers a cell."""
-    given = np.asarray(values)
+    given = as_array(name, values)
     if given.shape[:-1] != grid or given.shape[-1] not in (3, 4):
         raise WindrowError(f"{name} has shape {given.shape}: give {(*grid, 3)} or {(*grid, 4)}, indexed [z, y, x, component].")
     if given.shape[-1] == 4 and given.dtype == np.float32 and given.flags.c_contiguous and given.ctypes.data % 16 == 0:
@@ -211,7 +316,7 @@ def field(name: str, values: npt.ArrayLike, grid: tuple[int, int, int]) -> tuple
 
 
 def scalars(name: str, values: npt.ArrayLike, grid: tuple[int, int, int]) -> Floats:
-    given = np.ascontiguousarray(values, np.float32)
+    given = np.ascontiguousarray(as_array(name, values), np.float32)
     if given.shape != grid:
         raise WindrowError(f"{name} has shape {given.shape}: give {grid}, indexed [z, y, x].")
     return given

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, library
-from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, pointer, view
+from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, as_array, number, of_class, view, whole
 
 _ONE = _c.Vec3(1.0, 1.0, 1.0)
 
@@ -22,8 +22,14 @@ class Shared(Form):
 
     _handle: Handle
 
-    def _to_c(self, keep: list[Any]) -> Handle:
+    def _as_shared(self) -> Handle:
         return self._handle
+
+    def __copy__(self) -> Shared:
+        return self
+
+    def __deepcopy__(self, _memo: Any) -> Shared:
+        return self
 
 
 class TriangleMesh(Shared):
@@ -33,8 +39,10 @@ class TriangleMesh(Shared):
     """
 
     def __init__(self, vertices: npt.ArrayLike, triangles: npt.ArrayLike) -> None:
-        corners = np.ascontiguousarray(vertices, np.float32)
-        given = np.asarray(triangles)
+        corners = np.ascontiguousarray(as_array("vertices", vertices), np.float32)
+        given = as_array("triangles", triangles)
+        if given.size and given.dtype.kind not in "iu":
+            raise WindrowError(f"triangles is an array of {given.dtype}: give whole numbers, those of vertices.")
         if corners.ndim != 2 or corners.shape[1] != 3 or given.ndim != 2 or given.shape[1] != 3:
             raise WindrowError(f"vertices have shape {corners.shape}, triangles {given.shape}: give (n, 3) and (m, 3).")
         if given.size and (given.min() < 0 or given.max() >= len(corners)):
@@ -53,7 +61,7 @@ class VoxelGrid(Shared):
     """Closed cells of a grid: an array indexed [z, y, x], in which what is not 0 is closed."""
 
     def __init__(self, closed: npt.ArrayLike) -> None:
-        cells = np.ascontiguousarray(np.asarray(closed) != 0, np.uint8)
+        cells = np.ascontiguousarray(as_array("closed", closed) != 0, np.uint8)
         if cells.ndim != 3:
             raise WindrowError(f"closed has shape {cells.shape}: give three axes, [z, y, x].")
         size = _c.IVec3(*cells.shape[::-1])
@@ -68,7 +76,8 @@ class HeightMap(Shared):
     """
 
     def __init__(self, heights: npt.ArrayLike, spacing: float = 1.0, holes: npt.ArrayLike | None = None) -> None:
-        numbers = np.ascontiguousarray(heights, np.float32)
+        numbers = np.ascontiguousarray(as_array("heights", heights), np.float32)
+        spacing = number("spacing", spacing)
         if numbers.ndim != 2:
             raise WindrowError(f"heights have shape {numbers.shape}: give two axes, [z, x].")
         corners = _c.IVec2(*numbers.shape[::-1])
@@ -77,7 +86,7 @@ class HeightMap(Shared):
             self._handle = Handle(lambda out: library.windrow_height_map_create(corners, spacing, first, numbers.size, out),
                                   "windrow_height_map_destroy")
             return
-        open_cells = np.ascontiguousarray(np.asarray(holes) != 0, np.uint8)
+        open_cells = np.ascontiguousarray(as_array("holes", holes) != 0, np.uint8)
         if open_cells.ndim != 2:
             raise WindrowError(f"holes have shape {open_cells.shape}: give two axes, [z, x].")
         self._handle = Handle(lambda out: library.windrow_height_map_create_with_holes(
@@ -93,7 +102,8 @@ class GustTile(Shared):
     """The pattern of gusts of a seed, for many winds to use one."""
 
     def __init__(self, seed: int = 1) -> None:
-        self._handle = Handle(lambda out: library.windrow_gust_tile_bake(seed, out), "windrow_gust_tile_destroy")
+        value = whole("seed", seed, 0, 2**32 - 1)
+        self._handle = Handle(lambda out: library.windrow_gust_tile_bake(value, out), "windrow_gust_tile_destroy")
 
     def texels(self) -> Floats:
         """A view of its 128 x 16 x 128 texels of four floats."""
@@ -104,7 +114,7 @@ class GustTile(Shared):
 
 # --- Regions of motors -----------------------------------------------------------------------------------------------------
 
-@dataclass
+@dataclass(slots=True)
 class Sphere(Form):
     """A ball: a region of a motor, or a shape of an obstacle. `radius` in metres."""
 
@@ -117,7 +127,7 @@ class Sphere(Form):
         return _c.Shape(kind=_c.SHAPE_SPHERE, radius=self.radius, scale=_ONE)
 
 
-@dataclass
+@dataclass(slots=True)
 class Capsule(Form):
     """A ball drawn out along a segment, from the centre - half_axis to + half_axis: a region or a shape. [m]"""
 
@@ -131,7 +141,7 @@ class Capsule(Form):
         return _c.Shape(kind=_c.SHAPE_CAPSULE, half_axis=_numbers("half_axis", self.half_axis, _c.Vec3), radius=self.radius, scale=_ONE)
 
 
-@dataclass
+@dataclass(slots=True)
 class AlignedBox(Form):
     """A region: a box along the axes, `half_size` [m] from the centre to the faces."""
 
@@ -141,7 +151,7 @@ class AlignedBox(Form):
         return _c.Region(kind=_c.REGION_BOX, half_size=_numbers("half_size", self.half_size, _c.Vec3))
 
 
-@dataclass
+@dataclass(slots=True)
 class Cone(Form):
     """A region: a cone from the motor's position along `axis` [m], with its radii at both ends."""
 
@@ -159,7 +169,7 @@ Region = Union[Sphere, Capsule, AlignedBox, Cone]
 
 # --- Laws of motors --------------------------------------------------------------------------------------------------------
 
-@dataclass
+@dataclass(slots=True)
 class Force(Form):
     """A constant acceleration [m/s^2] along the motor's direction."""
 
@@ -169,7 +179,7 @@ class Force(Form):
         return _c.Law(kind=_c.LAW_FORCE, acceleration=self.acceleration)
 
 
-@dataclass
+@dataclass(slots=True)
 class Drive(Form):
     """Pulls the air toward a speed [m/s] along the motor's direction, at a rate [1/s]."""
 
@@ -180,7 +190,7 @@ class Drive(Form):
         return _c.Law(kind=_c.LAW_DRIVE, speed=self.speed, rate=self.rate)
 
 
-@dataclass
+@dataclass(slots=True)
 class WakeForce(Form):
     """Pushes: the same impulse for each metre that the body passes; `strength` [1/s] is the speed that a metre adds."""
 
@@ -190,7 +200,7 @@ class WakeForce(Form):
         return _c.WakeLaw(kind=_c.LAW_FORCE, strength=self.strength)
 
 
-@dataclass
+@dataclass(slots=True)
 class WakeDrive(Form):
     """Drags: pulls the air toward `entrainment` times the body's velocity, 63 % of the way within 1 / per_metre metres."""
 
@@ -207,7 +217,7 @@ WakeLaw = Union[WakeForce, WakeDrive]
 
 # --- Shapes of obstacles ---------------------------------------------------------------------------------------------------
 
-@dataclass
+@dataclass(slots=True)
 class Block(Form):
     """A box with its own axes: a house, a wall. `half_size` [m] from the centre to the faces."""
 
@@ -217,7 +227,7 @@ class Block(Form):
         return _c.Shape(kind=_c.SHAPE_BLOCK, half_size=_numbers("half_size", self.half_size, _c.Vec3), scale=_ONE)
 
 
-@dataclass
+@dataclass(slots=True)
 class Cylinder(Form):
     """A cylinder along its own y axis: a trunk, a tower. [m]"""
 
@@ -228,7 +238,7 @@ class Cylinder(Form):
         return _c.Shape(kind=_c.SHAPE_CYLINDER, radius=self.radius, half_length=self.half_length, scale=_ONE)
 
 
-@dataclass
+@dataclass(slots=True)
 class Plate(Form):
     """A rectangle without thickness, across its own z axis: a fence, a sail, a door. `half_size` [m] along its x and y."""
 
@@ -239,7 +249,7 @@ class Plate(Form):
         return _c.Shape(kind=_c.SHAPE_PLATE, half_size=_c.Vec3(half.x, half.y, 0.0), scale=_ONE)
 
 
-@dataclass
+@dataclass(slots=True)
 class MeshShape(Form):
     """A closed mesh of triangles: a house, a statue, a vehicle."""
 
@@ -247,11 +257,12 @@ class MeshShape(Form):
     scale: float = 1.0
 
     def _shape(self, keep: list[Any]) -> Any:
-        keep.append(self.mesh)
-        return _c.Shape(kind=_c.SHAPE_MESH, scale=_c.Vec3(self.scale, 1.0, 1.0), mesh=self.mesh._handle.pointer)
+        mesh = of_class("MeshShape.mesh", self.mesh, TriangleMesh)
+        keep.append(mesh)
+        return _c.Shape(kind=_c.SHAPE_MESH, scale=_c.Vec3(self.scale, 1.0, 1.0), mesh=mesh._handle.pointer)
 
 
-@dataclass
+@dataclass(slots=True)
 class VoxelShape(Form):
     """Closed cells of a grid, which is centred: a building of a voxel game. `cell_size` in metres."""
 
@@ -259,11 +270,12 @@ class VoxelShape(Form):
     cell_size: float = 1.0
 
     def _shape(self, keep: list[Any]) -> Any:
-        keep.append(self.grid)
-        return _c.Shape(kind=_c.SHAPE_VOXELS, scale=_ONE, cell_size=self.cell_size, voxels=self.grid._handle.pointer)
+        grid = of_class("VoxelShape.grid", self.grid, VoxelGrid)
+        keep.append(grid)
+        return _c.Shape(kind=_c.SHAPE_VOXELS, scale=_ONE, cell_size=self.cell_size, voxels=grid._handle.pointer)
 
 
-@dataclass
+@dataclass(slots=True)
 class Ground(Form):
     """All below a height map: hills, a valley, a dam. The position is that of height 0 at the map's first corner.
 
@@ -275,11 +287,10 @@ class Ground(Form):
     beyond: Literal["edge", "nothing"] = "edge"
 
     def _shape(self, keep: list[Any]) -> Any:
-        keep.append(self.heights)
-        return _c.Shape(kind=_c.SHAPE_GROUND, scale=_numbers("scale", self.scale, _c.Vec3), heights=self.heights._handle.pointer,
+        heights = of_class("Ground.heights", self.heights, HeightMap)
+        keep.append(heights)
+        return _c.Shape(kind=_c.SHAPE_GROUND, scale=_numbers("scale", self.scale, _c.Vec3), heights=heights._handle.pointer,
                         beyond=_choice("beyond", self.beyond, ("edge", "nothing")))
 
 
 Shape = Union[Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape, Ground]
-_SHAPES = (Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape, Ground)
-_REGIONS = (Sphere, Capsule, AlignedBox, Cone)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, check, library
-from ._values import Floats, Vec3, _choice, _numbers, aligned, field, scalars
+from ._values import Floats, Vec3, _choice, _numbers, aligned, field, number, of_class, scalars, whole
 from .settings import Boundaries, Config, DiffusionMethod, Interpolation, Obstacle
 from .wind import ThreadPool
 
@@ -28,23 +28,25 @@ class Workspace:
         free = work.project(velocity)
 
     A velocity is an array [z, y, x, component] in m/s of three components, or of x, y, z, 0, which is read without a copy where it is
-    float32 and contiguous. Results have the components of what was given; a call changes none of its arguments.
+    float32 and contiguous. Results have the components of what was given; a call changes none of its arguments. One thread at a time may
+    use a workspace.
     """
 
     def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None) -> None:
-        config = config or Config()
+        config = Config() if config is None else of_class("config", config, Config)
         keep: list[Any] = []
         struct = config._to_c(keep)
         if pool is not None:
-            struct.parallel_for = pool._loop
+            struct.parallel_for = of_class("pool", pool, ThreadPool)._loop
         self._handle = Handle(lambda out: library.windrow_workspace_create(ctypes.byref(struct), out), "windrow_workspace_destroy",
                               *([pool._handle] if pool else []))
         self._work = self._handle.pointer
-        self._grid = (config.cells[2], config.cells[1], config.cells[0])
+        self._grid = (struct.cells.z, struct.cells.y, struct.cells.x)
         self._count = int(np.prod(self._grid))
 
     def set_boundaries(self, boundaries: Boundaries) -> None:
-        check(library.windrow_workspace_set_boundaries(self._work, ctypes.byref(boundaries._to_c([]))))
+        """Other conditions at the faces of the box."""
+        check(library.windrow_workspace_set_boundaries(self._work, ctypes.byref(of_class("boundaries", boundaries, Boundaries)._to_c([]))))
 
     def set_ambient(self, ambient: Vec3) -> None:
         """[m/s] The wind beyond open boundaries."""
@@ -56,6 +58,7 @@ class Workspace:
 
         `velocities` [m/s] and `spins` [rad/s], one for each; None: at rest.
         """
+        obstacles = [of_class("obstacle", obstacle, Obstacle) for obstacle in list(obstacles)]
         count = len(obstacles)
         keep: list[Any] = []
         moves = []
@@ -69,7 +72,7 @@ class Workspace:
     def impulse_on(self, obstacle: int) -> tuple[float, float, float]:
         """[m^4/s] The momentum that the last projection took from the air and gave to an obstacle, by its place in the list."""
         impulse = _c.Vec3()
-        check(library.windrow_workspace_impulse_on(self._work, obstacle, ctypes.byref(impulse)))
+        check(library.windrow_workspace_impulse_on(self._work, whole("obstacle", obstacle), ctypes.byref(impulse)))
         return (impulse.x, impulse.y, impulse.z)
 
     def advect(self, carried: npt.ArrayLike, velocity: npt.ArrayLike, dt: float, *, velocity_old: npt.ArrayLike | None = None,
@@ -83,14 +86,14 @@ class Workspace:
         wind, _ = field("velocity", velocity, self._grid)
         transport = _c.Transport()
         check(library.windrow_transport_init(ctypes.byref(transport), ctypes.sizeof(transport)))
-        transport.dt = dt
+        transport.dt = number("dt", dt)
         transport.carried = what.ctypes.data_as(_VECTORS)
         transport.velocity = wind.ctypes.data_as(_VECTORS)
         if velocity_old is not None:
             old, _ = field("velocity_old", velocity_old, self._grid)
             transport.velocity_old = old.ctypes.data_as(_VECTORS)
-        transport.extrapolation = extrapolation
-        transport.relaxation = relaxation
+        transport.extrapolation = number("extrapolation", extrapolation)
+        transport.relaxation = number("relaxation", relaxation)
         transport.interpolation = _choice("interpolation", interpolation, _INTERPOLATIONS)
         result = self._room()
         check(library.windrow_advect(self._work, ctypes.byref(transport), result.ctypes.data_as(_VECTORS), self._count))
@@ -106,11 +109,11 @@ class Workspace:
         wind, _ = field("velocity", velocity, self._grid)
         transport = _c.ScalarTransport()
         check(library.windrow_scalar_transport_init(ctypes.byref(transport), ctypes.sizeof(transport)))
-        transport.dt = dt
+        transport.dt = number("dt", dt)
         transport.carried = what.ctypes.data_as(_FLOATS)
         transport.velocity = wind.ctypes.data_as(_VECTORS)
-        transport.outside = outside
-        transport.clamped = clamped
+        transport.outside = number("outside", outside)
+        transport.clamped = bool(clamped)
         transport.interpolation = _choice("interpolation", interpolation, _INTERPOLATIONS)
         result = np.empty(self._grid, np.float32)
         check(library.windrow_advect_scalar(self._work, ctypes.byref(transport), result.ctypes.data_as(_FLOATS), self._count))
@@ -125,7 +128,7 @@ class Workspace:
         what, three = field("velocity", velocity, self._grid)
         result = self._room()
         method = ctypes.c_int32()
-        check(library.windrow_diffuse(self._work, what.ctypes.data_as(_VECTORS), viscosity, dt, result.ctypes.data_as(_VECTORS),
+        check(library.windrow_diffuse(self._work, what.ctypes.data_as(_VECTORS), number("viscosity", viscosity), number("dt", dt), result.ctypes.data_as(_VECTORS),
                                       ctypes.byref(method), self._count))
         return _as_given(result, three), _METHODS[method.value]
 
@@ -147,7 +150,10 @@ class Workspace:
         return phi
 
     def project(self, velocity: npt.ArrayLike, expansion: npt.ArrayLike | None = None) -> Floats:
-        """A field without its divergence: velocity - grad phi with L phi = div velocity - expansion; what remains falls as h^2.
+        """A field without its divergence: velocity - grad phi with L phi = div velocity - expansion.
+
+        What remains falls as h^2 in a periodic box, and between walls through which no wind blows. Wind through a wall, and through an open
+        face, leaves some in the cells beside it. A box of two dimensions has one cell along z and is periodic there.
 
         `expansion` [1/s] is the divergence that sources of volume want. Cells inside obstacles take their velocity.
         """
@@ -160,6 +166,7 @@ class Workspace:
 
     @property
     def memory_bytes(self) -> int:
+        """That it has allocated."""
         return int(library.windrow_workspace_memory_bytes(self._work))
 
     def _room(self) -> Floats:

@@ -7,7 +7,8 @@ import os
 from . import _c
 from ._library import Handle, check, library, taken_bytes
 from .settings import Advance, Diagnostics
-from .wind import MotorId, ObstacleId, ThreadPool, Wind
+from ._values import data, number, text as encoded
+from .wind import MotorId, ObstacleId, ThreadPool, Wind, loop_of
 
 
 class Scene:
@@ -18,18 +19,20 @@ class Scene:
             scene.step()
         scene.wind.velocity(leaf)
 
-    `wind` has the scene's air and cannot outlive it; its own `step` and `advance` would leave the scene's clock behind.
+    `wind` has the scene's air, and keeps it while it is used; its own `step` and `advance` would leave the scene's clock behind. A file
+    needs nothing but what differs from the defaults:
+
+        {"duration": 5, "air": {"ambient": [3, 0, 0]}, "motors": [{"name": "fan", "kind": "jet", "position": [0, 1, 0]}]}
     """
 
     def __init__(self, path: str | os.PathLike[str], *, text: str | None = None, pool: ThreadPool | None = None) -> None:
         """Reads a file, or, where `text` is given, that text of JSON, as if it stood in the file `path`."""
-        loop = None if pool is None else ctypes.byref(pool._loop)
-        place = os.fspath(path).encode()
+        loop, place = loop_of(pool), encoded("path", path)
         keeps = [pool._handle] if pool else []
         if text is None:
             self._handle = Handle(lambda out: library.windrow_scene_load(place, loop, out), "windrow_scene_destroy", *keeps)
         else:
-            said = text.encode()
+            said = encoded("text", text)
             self._handle = Handle(lambda out: library.windrow_scene_parse(said, len(said), place, loop, out), "windrow_scene_destroy", *keeps)
         self._scene = self._handle.pointer
         self.wind = Wind._of(library.windrow_scene_wind(self._scene), self._handle)
@@ -43,7 +46,7 @@ class Scene:
     def advance(self, dt: float) -> Advance:
         """A frame of dt [s] in the fixed ticks of the wind. Either this or steps."""
         report = Advance()._to_c([])
-        check(library.windrow_scene_advance(self._scene, dt, ctypes.byref(report)))
+        check(library.windrow_scene_advance(self._scene, number("dt", dt), ctypes.byref(report)))
         return Advance._from_c(report)
 
     @property
@@ -63,18 +66,20 @@ class Scene:
 
     @property
     def motor_names(self) -> list[str]:
+        """In the order of the file."""
         count = library.windrow_scene_motor_count(self._scene)
         return [library.windrow_scene_motor_name(self._scene, n).decode() for n in range(count)]
 
     @property
     def obstacle_names(self) -> list[str]:
+        """In the order of the file."""
         count = library.windrow_scene_obstacle_count(self._scene)
         return [library.windrow_scene_obstacle_name(self._scene, n).decode() for n in range(count)]
 
     def motor(self, name: str) -> MotorId | None:
         """The motor that acts under a name; None: not at this time. A name that the scene does not have is an error."""
         found = _c.MotorId()
-        result = library.windrow_scene_motor(self._scene, name.encode(), ctypes.byref(found))
+        result = library.windrow_scene_motor(self._scene, encoded("name", name), ctypes.byref(found))
         if result == _c.STALE:
             return None
         check(result)
@@ -83,7 +88,7 @@ class Scene:
     def obstacle(self, name: str) -> ObstacleId | None:
         """The obstacle that stands under a name; None: not at this time. A name that the scene does not have is an error."""
         found = _c.ObstacleId()
-        result = library.windrow_scene_obstacle(self._scene, name.encode(), ctypes.byref(found))
+        result = library.windrow_scene_obstacle(self._scene, encoded("name", name), ctypes.byref(found))
         if result == _c.STALE:
             return None
         check(result)
@@ -95,4 +100,5 @@ class Scene:
 
     def restore(self, saved: bytes) -> None:
         """Goes on where `save` was called, in a scene of the same file."""
-        check(library.windrow_scene_restore(self._scene, saved, len(saved)))
+        kept = data("saved", saved)
+        check(library.windrow_scene_restore(self._scene, kept, len(kept)))

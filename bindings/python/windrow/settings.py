@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Sampling(Settings):
     """Conversion of the wind to the wind that acts on a plant."""
 
@@ -43,13 +43,13 @@ class Sampling(Settings):
     """[m/s] 0 to 1e6. Upper bound of the speed, after the strength. 60 is the strongest storm."""
     detail: float = 0.0
     """0 (none) to 1. Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a
-    tile (AmbientWind.tile): without gusts, give Gusts.tile."""
+    tile (GustTile): without gusts, give Gusts.tile."""
     detail_length: float = 1.0
     """[m] 0.001 to 1e6. Distance from one ripple to the next, rounded so that a whole number of ripples fits a gust
     (at most its length): then one phase moves both. 1 is what cells of 1 m leave out."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Boundary(Settings):
     """Condition at one face of the box."""
 
@@ -66,7 +66,7 @@ class Boundary(Settings):
     May change in every step."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Boundaries(Settings):
     """Conditions at the six faces of the box."""
 
@@ -96,7 +96,7 @@ class Boundaries(Settings):
         return Boundaries(y_low=Boundary(kind="free_slip"))
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class LogProfile(Settings):
     """Wind over open ground: log((z + z0) / z0)."""
 
@@ -110,12 +110,13 @@ class LogProfile(Settings):
     """[m] 0.01 to 10000. Height at which the wind is the mean. 10 is where weather services measure."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Gusts(Settings):
     """A pattern that the mean wind carries along."""
 
     _struct: ClassVar = _c.Gusts
     _init: ClassVar = "windrow_gusts_init"
+    _shared: ClassVar = {"tile": GustTile}
 
     intensity: float = 0.0
     """0 (none) to 1. Standard deviation of each horizontal component over the mean horizontal speed. 0 costs
@@ -129,7 +130,7 @@ class Gusts(Settings):
     """The pattern itself, for many winds to use one; None: made from the seed."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Canopy(Settings):
     """Drag of plants on the floor."""
 
@@ -145,12 +146,13 @@ class Canopy(Settings):
     Schumann 1992, Boundary-Layer Meteorology 61 (0.15)."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class RoughnessMap(Settings):
     """Roughness lengths by place."""
 
     _struct: ClassVar = _c.RoughnessMap
     _init: ClassVar = "windrow_roughness_map_init"
+    _shared: ClassVar = {"lengths": HeightMap}
 
     lengths: HeightMap | None = None
     """[m]"""
@@ -161,7 +163,7 @@ class RoughnessMap(Settings):
     lengths."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Roughness(Settings):
     """Rough ground."""
 
@@ -178,7 +180,7 @@ class Roughness(Settings):
     """Lengths by place, instead of one. Default none."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Rows(Settings):
     """Rows of cells of unequal thickness."""
 
@@ -198,16 +200,17 @@ class Rows(Settings):
     """[m] 0 (by the ratio) to 1e6. Height of the box. The ratio follows from it. With heights: where the box ends
     above the last one."""
     heights: Sequence[float] = ()
-    """[m] Each component a number above 0, at most 1e6. Heights of the rows' centres over the floor of the box, one
-    a row, in place of the law. A distance between two is at most twice the distance beside it. Default none."""
+    """[m] A number above 0, at most 1e6. Heights of the rows' centres over the floor of the box, one a row, in
+    place of the law. A distance between two is at most twice the distance beside it. Default none."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Config(Settings):
     """Settings of a wind: 32 x 16 x 32 cells of 1 m, open air, no wind."""
 
     _struct: ClassVar = _c.Config
     _init: ClassVar = "windrow_config_init"
+    _not_negative: ClassVar = ("relaxation_time",)
     _letters: ClassVar = {"follow_axes": "xyz"}
     _words: ClassVar = {
         "scheme": ("second_order", "stable_fluids"),
@@ -260,9 +263,9 @@ class Config(Settings):
     """[m^2/s] 0 to 1e9. Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver
     resolves and costs nothing."""
     relaxation_time: float | None = None
-    """[s] Each component 0 (never) to 1e9. Time constant of the relaxation to the ambient wind. Default 20; 200
-    while wind meets obstacles, whose lees 20 would fill. A collocated solver has no other damping of the
-    checkerboard mode in still air. 0 is for analytic cases."""
+    """[s] 0 (never) to 1e9. Time constant of the relaxation to the ambient wind. Default 20; 200 while wind meets
+    obstacles, whose lees 20 would fill. A collocated solver has no other damping of the checkerboard mode in still
+    air. 0 is for analytic cases."""
     sleep_speed: float = 0.001
     """[m/s] 0 (never) to 10000. Air that differs from ambient by less everywhere, with no motor in reach and no
     gusts, sleeps: it becomes ambient, and a step costs microseconds until something acts. It does not sleep without
@@ -301,7 +304,7 @@ class Config(Settings):
     below a respawn over two metres."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class SpringClass(Settings):
     """Class of plants that swing."""
 
@@ -314,7 +317,7 @@ class SpringClass(Settings):
     Crops and trees have 0.12, drag of the leaves included."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Envelope(Settings):
     """[s] Strength over time."""
 
@@ -331,7 +334,7 @@ class Envelope(Settings):
     by one."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Turbulence(Settings):
     """Eddies in what a motor blows."""
 
@@ -348,7 +351,7 @@ class Turbulence(Settings):
     eddies."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class DirectionalMotor(Settings):
     """A fan, a gust, a draught."""
 
@@ -369,7 +372,7 @@ class DirectionalMotor(Settings):
     """Eddies in what it blows."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class WakeMotor(Settings):
     """The wake of a moving body."""
 
@@ -388,7 +391,7 @@ class WakeMotor(Settings):
     """Eddies in the wake. Default none: a wake makes its own."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class JetMotor(Settings):
     """A nozzle."""
 
@@ -413,7 +416,7 @@ class JetMotor(Settings):
     """Eddies in the jet: they make it roll up and spread."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class VortexMotor(Settings):
     """Turns the air about an axis."""
 
@@ -436,7 +439,7 @@ class VortexMotor(Settings):
     """Strength over time."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class OmniMotor(Settings):
     """Air that comes out of a ball or vanishes in it."""
 
@@ -453,7 +456,7 @@ class OmniMotor(Settings):
     """Strength over time."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class PressureMotor(Settings):
     """A burst."""
 
@@ -470,9 +473,9 @@ class PressureMotor(Settings):
     """[s] A number above 0, at most 1e9. T: duration of the outflow before the inflow."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Obstacle(Settings):
-    """Made by ./dev schema from Obstacle."""
+    """A body that the air flows around."""
 
     _struct: ClassVar = _c.Obstacle
     _init: ClassVar = "windrow_obstacle_init"
@@ -491,7 +494,7 @@ class Obstacle(Settings):
     """Its form and size."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Drag(Settings):
     """Mechanical properties of a stalk, uniform along its length."""
 
@@ -519,9 +522,9 @@ class Drag(Settings):
     shells stay within pi/2."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class BladeSettings(Settings):
-    """Made by ./dev schema from BladeSettings."""
+    """Blades of grass of one class."""
 
     _struct: ClassVar = _c.BladeSettings
     _init: ClassVar = "windrow_blade_settings_init"
@@ -561,9 +564,9 @@ class BladeSettings(Settings):
     ours."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class ShellSettings(Settings):
-    """Made by ./dev schema from ShellSettings."""
+    """Layers of fur or grass over a skin."""
 
     _struct: ClassVar = _c.ShellSettings
     _init: ClassVar = "windrow_shell_settings_init"
@@ -598,7 +601,7 @@ class ShellSettings(Settings):
     """Strand of the bent form; its length is that of the layers."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class StageTimes(Settings):
     """[ms] Wall-clock time of one step by stage."""
 
@@ -622,9 +625,9 @@ class StageTimes(Settings):
     """[ms] The whole step, with what belongs to no stage: a moved box, for one."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Diagnostics(Settings):
-    """Report of a step (fluid/diagnostics.h)."""
+    """Report of a step."""
 
     _struct: ClassVar = _c.Diagnostics
     _init: ClassVar = "windrow_diagnostics_init"
@@ -698,9 +701,9 @@ class Diagnostics(Settings):
     together, and its pressure is relative to none."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Advance(Settings):
-    """Result of windrow_wind_advance."""
+    """Result of Wind.advance."""
 
     _struct: ClassVar = _c.Advance
     _init: ClassVar = "windrow_advance_init"
@@ -713,7 +716,7 @@ class Advance(Settings):
     """of this frame between the last two ticks, 0 to 1"""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class Box(Settings):
     """The box of a wind."""
 
@@ -732,7 +735,7 @@ class Box(Settings):
     """Conditions at its six faces."""
 
 
-@dataclass(kw_only=True)
+@dataclass(kw_only=True, slots=True)
 class ObstacleForce(Settings):
     """What the pressure of the air does to an obstacle."""
 

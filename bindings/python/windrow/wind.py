@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, check, fail, library, taken_bytes
-from ._values import Floats, Quat, Vec3, _choice, _numbers, field, pointer, view
+from ._values import Floats, Quat, Vec3, _choice, _numbers, as_array, data, field, number, of_class, pointer, text, view, whole
 from .settings import (Advance, Boundaries, Box, Config, Diagnostics, DirectionalMotor, Gusts, JetMotor, Obstacle, ObstacleForce,
                        OmniMotor, PressureMotor, Sampling, VortexMotor, WakeMotor)
 
@@ -29,7 +29,8 @@ class ThreadPool:
     """Threads that many winds may share, the caller's among them; 0: one a core. Results do not depend on their number."""
 
     def __init__(self, threads: int = 0) -> None:
-        self._handle = Handle(lambda out: library.windrow_thread_pool_create(threads, out), "windrow_thread_pool_destroy")
+        count = whole("threads", threads, 0, 1024)
+        self._handle = Handle(lambda out: library.windrow_thread_pool_create(count, out), "windrow_thread_pool_destroy")
 
     def __len__(self) -> int:
         return int(library.windrow_thread_pool_size(self._handle.pointer))
@@ -37,6 +38,11 @@ class ThreadPool:
     @property
     def _loop(self) -> Any:
         return library.windrow_thread_pool_parallel_for(self._handle.pointer)
+
+
+def loop_of(pool: ThreadPool | None) -> Any:
+    """For a call that takes a loop or null."""
+    return None if pool is None else ctypes.byref(of_class("pool", pool, ThreadPool)._loop)
 
 
 class _Id:
@@ -54,6 +60,18 @@ class _Id:
     @classmethod
     def from_numbers(cls: type[I], numbers: Sequence[int]) -> I:
         return cls(cls._struct(*numbers))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, type(self)) and other.numbers == self.numbers
+
+    def __hash__(self) -> int:
+        return hash(self.numbers)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}.from_numbers({self.numbers})"
+
+    def __reduce__(self) -> Any:
+        return (type(self).from_numbers, (self.numbers,))
 
 
 class MotorId(_Id):
@@ -79,12 +97,13 @@ class Motors:
     def _call(self, what: str, motor: Motor) -> tuple[Any, Any]:
         kind = _MOTORS.get(type(motor))
         if kind is None:
-            raise WindrowError(f"motor is a {type(motor).__name__}: give a DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor "
+            raise WindrowError(f"motor is {motor!r}: give a DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor "
                                "or PressureMotor.")
         keep: list[Any] = []
         return getattr(library, f"windrow_wind_{what}_{kind}"), motor._to_c(keep)
 
     def add(self, motor: Motor) -> MotorId:
+        """Begins a motor; the id names it in the calls below."""
         call, struct = self._call("add", motor)
         name = _c.MotorId()
         check(call(self._handle.pointer, ctypes.byref(struct), ctypes.byref(name)))
@@ -93,22 +112,26 @@ class Motors:
     def set(self, motor: MotorId, to: Motor) -> None:
         """Replaces a motor whole; its kind may change."""
         call, struct = self._call("set", to)
-        check(call(self._handle.pointer, motor._id, ctypes.byref(struct)))
+        check(call(self._handle.pointer, of_class("motor", motor, MotorId)._id, ctypes.byref(struct)))
 
     def move(self, motor: MotorId, position: Vec3) -> None:
         """To where it is at the end of the coming step or frame."""
-        check(library.windrow_wind_move_motor(self._handle.pointer, motor._id, _numbers("position", position, _c.DVec3)))
+        check(library.windrow_wind_move_motor(self._handle.pointer, of_class("motor", motor, MotorId)._id,
+                                              _numbers("position", position, _c.DVec3)))
 
     def remove(self, motor: MotorId) -> None:
-        check(library.windrow_wind_remove_motor(self._handle.pointer, motor._id))
+        """Ends a motor at once."""
+        check(library.windrow_wind_remove_motor(self._handle.pointer, of_class("motor", motor, MotorId)._id))
 
     def kind(self, motor: MotorId) -> str:
         """"directional", "wake", "jet", "vortex", "omni" or "pressure"."""
         kind = ctypes.c_int32()
-        check(library.windrow_wind_motor_kind(self._handle.pointer, motor._id, ctypes.byref(kind)))
+        check(library.windrow_wind_motor_kind(self._handle.pointer, of_class("motor", motor, MotorId)._id, ctypes.byref(kind)))
         return _KINDS[kind.value]
 
-    def __contains__(self, motor: MotorId) -> bool:
+    def __contains__(self, motor: object) -> bool:
+        if not isinstance(motor, MotorId):
+            return False
         kind = ctypes.c_int32()
         return bool(library.windrow_wind_motor_kind(self._handle.pointer, motor._id, ctypes.byref(kind)) == _c.OK)
 
@@ -123,6 +146,8 @@ class Obstacles:
         self._handle = handle
 
     def add(self, obstacle: Obstacle) -> ObstacleId:
+        """Puts a body into the air; the id names it in the calls below."""
+        of_class("obstacle", obstacle, Obstacle)
         keep: list[Any] = []
         name = _c.ObstacleId()
         check(library.windrow_wind_add_obstacle(self._handle.pointer, ctypes.byref(obstacle._to_c(keep)), ctypes.byref(name)))
@@ -131,7 +156,8 @@ class Obstacles:
     def set(self, obstacle: ObstacleId, to: Obstacle) -> None:
         """Replaces it whole; it pushes no air on the way."""
         keep: list[Any] = []
-        check(library.windrow_wind_set_obstacle(self._handle.pointer, obstacle._id, ctypes.byref(to._to_c(keep))))
+        struct = of_class("to", to, Obstacle)._to_c(keep)
+        check(library.windrow_wind_set_obstacle(self._handle.pointer, of_class("obstacle", obstacle, ObstacleId)._id, ctypes.byref(struct)))
 
     def move(self, obstacle: ObstacleId, position: Vec3, orientation: Quat | None = None, spin: Vec3 | None = None) -> None:
         """To where it is at the end of the coming step or frame. None: it keeps its orientation.
@@ -141,16 +167,24 @@ class Obstacles:
         """
         turned = None if orientation is None else ctypes.byref(_numbers("orientation", orientation, _c.Quat))
         spun = None if spin is None else ctypes.byref(_numbers("spin", spin, _c.Vec3))
-        check(library.windrow_wind_move_obstacle(self._handle.pointer, obstacle._id, _numbers("position", position, _c.DVec3), turned,
-                                                 spun))
+        check(library.windrow_wind_move_obstacle(self._handle.pointer, of_class("obstacle", obstacle, ObstacleId)._id,
+                                                 _numbers("position", position, _c.DVec3), turned, spun))
 
     def remove(self, obstacle: ObstacleId) -> None:
-        check(library.windrow_wind_remove_obstacle(self._handle.pointer, obstacle._id))
+        """Takes a body out of the air at once."""
+        check(library.windrow_wind_remove_obstacle(self._handle.pointer, of_class("obstacle", obstacle, ObstacleId)._id))
+
+    def __contains__(self, obstacle: object) -> bool:
+        if not isinstance(obstacle, ObstacleId):
+            return False
+        struct = _c.Obstacle()
+        check(library.windrow_obstacle_init(ctypes.byref(struct), ctypes.sizeof(struct)))
+        return bool(library.windrow_wind_get_obstacle(self._handle.pointer, obstacle._id, ctypes.byref(struct)) == _c.OK)
 
     def force_on(self, obstacle: ObstacleId) -> ObstacleForce:
         """What the pressure of the air did to it in the last step."""
         struct = ObstacleForce()._to_c([])
-        check(library.windrow_wind_force_on(self._handle.pointer, obstacle._id, ctypes.byref(struct)))
+        check(library.windrow_wind_force_on(self._handle.pointer, of_class("obstacle", obstacle, ObstacleId)._id, ctypes.byref(struct)))
         return ObstacleForce._from_c(struct)
 
     def __len__(self) -> int:
@@ -160,19 +194,21 @@ class Obstacles:
 class EventLog:
     """Every accepted call that changed a wind, to repeat them: `wind.record_to(log)`, then `log.replay(another)`."""
 
-    def __init__(self, data: bytes | None = None) -> None:
-        saved = data or b""
-        self._handle = Handle(library.windrow_event_log_create if data is None else
-                              lambda out: library.windrow_event_log_from_bytes(saved, len(saved), out), "windrow_event_log_destroy")
+    def __init__(self, saved: bytes | None = None) -> None:
+        kept = b"" if saved is None else data("saved", saved)
+        self._handle = Handle(library.windrow_event_log_create if saved is None else
+                              lambda out: library.windrow_event_log_from_bytes(kept, len(kept), out), "windrow_event_log_destroy")
 
     def replay(self, wind: Wind) -> None:
         """Repeats all calls on a wind in the state in which the log began."""
-        check(library.windrow_event_log_replay(self._handle.pointer, wind._handle.pointer))
+        check(library.windrow_event_log_replay(self._handle.pointer, of_class("wind", wind, Wind)._handle.pointer))
 
     def to_bytes(self) -> bytes:
+        """`EventLog(bytes)` has the same events."""
         return taken_bytes(lambda out: library.windrow_event_log_to_bytes(self._handle.pointer, out))
 
     def clear(self) -> None:
+        """Forgets all events."""
         check(library.windrow_event_log_clear(self._handle.pointer))
 
     def __len__(self) -> int:
@@ -193,18 +229,18 @@ class Wind:
 
     def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None) -> None:
         keep: list[Any] = []
-        struct = (config or Config())._to_c(keep)
+        struct = (Config() if config is None else of_class("config", config, Config))._to_c(keep)
         if pool is not None:
-            struct.parallel_for = pool._loop
+            struct.parallel_for = of_class("pool", pool, ThreadPool)._loop
         self._take(Handle(lambda out: library.windrow_wind_create(ctypes.byref(struct), out), "windrow_wind_destroy",
                           *([pool._handle] if pool else [])))
 
     @classmethod
     def load(cls, saved: bytes, *, pool: ThreadPool | None = None) -> Wind:
         """A wind that goes on from what `save` returned."""
-        loop = None if pool is None else ctypes.byref(pool._loop)
+        loop, kept = loop_of(pool), data("saved", saved)
         wind = cls.__new__(cls)
-        wind._take(Handle(lambda out: library.windrow_wind_load(saved, len(saved), loop, out), "windrow_wind_destroy",
+        wind._take(Handle(lambda out: library.windrow_wind_load(kept, len(kept), loop, out), "windrow_wind_destroy",
                           *([pool._handle] if pool else [])))
         return wind
 
@@ -213,6 +249,7 @@ class Wind:
         """The wind of another object."""
         wind = cls.__new__(cls)
         wind._take(Handle.part_of(owner, pointer))
+        wind._copies = True
         return wind
 
     def _take(self, handle: Handle) -> None:
@@ -225,21 +262,31 @@ class Wind:
         self._query_at = ctypes.byref(self._query)
         check(library.windrow_query_init(self._query_at, ctypes.sizeof(self._query)))
         self._velocities_at = ctypes.c_void_p.from_buffer(self._query, _c.Query.velocities.offset)
-        self._log: EventLog | None = None
+        self._copies = False
         self.motors = Motors(handle)
         self.obstacles = Obstacles(handle)
+        cells = self.box.cells  # for good
+        self._cells = (cells[2], cells[1], cells[0])
+
+    def __reduce__(self) -> Any:
+        """Copies and pickles are winds of their own, which go on from here, without a pool and a log."""
+        return (Wind.load, (self.save(),))
+
+    def __repr__(self) -> str:
+        box = self.box
+        return f"<windrow.Wind of {box.cells} cells of {box.cell_size} m at {box.origin}>"
 
     # --- Time
     def step(self, dt: float) -> Diagnostics:
         """Advances by dt [s] at once; reads then give the air after the step."""
         report = Diagnostics()._to_c([])
-        check(library.windrow_wind_step(self._wind, dt, ctypes.byref(report)))
+        check(library.windrow_wind_step(self._wind, number("dt", dt), ctypes.byref(report)))
         return Diagnostics._from_c(report)
 
     def advance(self, dt: float) -> Advance:
         """Advances by a frame of dt [s] in fixed ticks (Config.ticks_hz); reads then give the air at the frame, between two ticks."""
         report = Advance()._to_c([])
-        check(library.windrow_wind_advance(self._wind, dt, ctypes.byref(report), None))
+        check(library.windrow_wind_advance(self._wind, number("dt", dt), ctypes.byref(report), None))
         return Advance._from_c(report)
 
     # --- Place and ambient wind
@@ -249,7 +296,7 @@ class Wind:
 
     def set_floor(self, height: float) -> None:
         """[m] Height of the box's low y face, to whole cells."""
-        check(library.windrow_wind_set_floor(self._wind, height))
+        check(library.windrow_wind_set_floor(self._wind, number("height", height)))
 
     def shift_origin(self, offset: Vec3) -> None:
         """The origin of the world has moved: all places that the wind holds move by whole cells [m], and no air changes."""
@@ -257,6 +304,7 @@ class Wind:
 
     @property
     def box(self) -> Box:
+        """Where the box of air is now, and its cells."""
         struct = Box()._to_c([])
         check(library.windrow_wind_box(self._wind, ctypes.byref(struct)))
         return Box._from_c(struct)
@@ -264,7 +312,7 @@ class Wind:
     def centres(self) -> npt.NDArray[np.float64]:
         """[m] World positions of the cells' centres, indexed [z, y, x, component]. Rows of one thickness alone."""
         box = self.box
-        if box.size[1] != np.float32(box.cell_size) * box.cells[1]:
+        if not np.isclose(box.size[1], box.cell_size * box.cells[1], rtol=1e-5):
             raise WindrowError("the box has rows of unequal thickness: centres are those of Config.rows.")
         axes = [box.origin[n] + (np.arange(box.cells[n]) + 0.5) * box.cell_size for n in range(3)]
         z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
@@ -281,15 +329,20 @@ class Wind:
         check(library.windrow_wind_set_ambient(self._wind, _numbers("ambient", mean, _c.Vec3)))
 
     def set_gusts(self, gusts: Gusts) -> None:
+        """Other gusts from now on; an intensity of 0 ends them."""
         keep: list[Any] = []
-        check(library.windrow_wind_set_gusts(self._wind, ctypes.byref(gusts._to_c(keep))))
+        check(library.windrow_wind_set_gusts(self._wind, ctypes.byref(of_class("gusts", gusts, Gusts)._to_c(keep))))
 
     def set_boundaries(self, boundaries: Boundaries) -> None:
-        check(library.windrow_wind_set_boundaries(self._wind, ctypes.byref(boundaries._to_c([]))))
+        """Other conditions at the faces of the box from now on."""
+        check(library.windrow_wind_set_boundaries(self._wind, ctypes.byref(of_class("boundaries", boundaries, Boundaries)._to_c([]))))
 
     # --- Setting the air
     def set_field(self, velocity: npt.ArrayLike) -> None:
-        """All cells [m/s], indexed [z, y, x, component], of three components or four."""
+        """All cells [m/s], indexed [z, y, x, component], of three components or four.
+
+        Cells that are no numbers become the ambient wind in the next step, which counts them (Diagnostics.repaired_cells).
+        """
         cells, _ = field("velocity", velocity, self._grid())
         check(library.windrow_wind_set_field(self._wind, cells.ctypes.data_as(ctypes.POINTER(_c.Vec4)), cells.size // 4))
 
@@ -301,8 +354,9 @@ class Wind:
     def velocity(self, position: Vec3) -> tuple[float, float, float]:
         """[m/s] At a world point, within the box or beyond it."""
         try:
-            place = _c.DVec3(*position)
-        except TypeError:
+            x, y, z = position
+            place = _c.DVec3(x, y, z)
+        except (TypeError, ValueError):
             place = _numbers("position", position, _c.DVec3)
         result = self._velocity(self._wind, place, self._found_at)
         if result:
@@ -313,7 +367,7 @@ class Wind:
     def felt(self, position: Vec3, sampling: Sampling | None = None) -> tuple[float, float, float]:
         """[m/s] That acts on a plant there."""
         found = _c.Vec3()
-        struct = (sampling or Sampling())._to_c([])
+        struct = _checked(sampling or Sampling())
         check(library.windrow_wind_felt(self._wind, _numbers("position", position, _c.DVec3), ctypes.byref(struct), ctypes.byref(found)))
         return (found.x, found.y, found.z)
 
@@ -323,22 +377,24 @@ class Wind:
 
         `out`, an array of float32 of the same shape, receives the result and is returned.
         """
-        points = np.asarray(positions, order="C")
-        if points.dtype.char not in "fd":
-            points = points.astype(np.float64)
+        points = np.asarray(positions, order="C") if isinstance(positions, np.ndarray) else as_array("positions", positions)
+        if points.dtype.char not in "fd" or not points.dtype.isnative:
+            points = as_array("positions", points).astype(np.float64)
         if points.ndim == 0 or points.shape[-1] != 3:
             raise WindrowError(f"positions have shape {points.shape}: give (..., 3).")
         if out is None:
             out = np.empty(points.shape, np.float32)
-        elif out.shape != points.shape or out.dtype.char != "f" or not out.flags.c_contiguous or not out.flags.writeable:
-            raise WindrowError(f"out has shape {out.shape} of {out.dtype}: give a writable, contiguous {points.shape} of float32.")
+        elif (not isinstance(out, np.ndarray) or out.shape != points.shape or out.dtype.char != "f" or not out.dtype.isnative
+              or not out.flags.c_contiguous or not out.flags.writeable):
+            raise WindrowError(f"out is {getattr(out, 'shape', type(out).__name__)} of {getattr(out, 'dtype', 'no array')}: give a writable, "
+                               f"contiguous array {points.shape} of float32.")
         query = self._query
         query.frame = _choice("frame", frame, _FRAMES)
         query.count = points.size // 3
         query.positions = points.ctypes.data
         query.number = _c.NUMBER_FLOAT if points.dtype.char == "f" else _c.NUMBER_DOUBLE
         self._velocities_at.value = out.ctypes.data
-        query.sampling = None if sampling is None else ctypes.pointer(sampling._to_c([]))
+        query.sampling = None if sampling is None else ctypes.pointer(_checked(sampling))
         result = library.windrow_wind_sample(self._wind, self._query_at)
         if result:
             fail(result)
@@ -347,12 +403,14 @@ class Wind:
     def field(self, frame: Frame = "now") -> Floats:
         """A view of the cells [m/s], indexed [z, y, x, component] with x, y, z, 0; it cannot be written to.
 
-        It shows the wind's own memory: after the next change of the wind its content is that of some later moment. Copy what must stay.
+        It shows the wind's own memory: after the next change of the wind its content is that of some later moment. Copy what must stay. Of
+        a scene's wind it is a copy, since `Scene.restore` puts another wind in its place.
         """
         cells = ctypes.POINTER(_c.Vec4)()
         count = ctypes.c_uint64()
         check(library.windrow_wind_field(self._wind, _choice("frame", frame, _FRAMES), ctypes.byref(cells), ctypes.byref(count), None))
-        return view(ctypes.addressof(cells.contents), (*self._grid(), 4), ctypes.c_float, self._handle)
+        shown = view(ctypes.addressof(cells.contents), (*self._grid(), 4), ctypes.c_float, self._handle)
+        return shown.copy() if self._copies else shown
 
     def half_vectors(self, frame: Frame = "now") -> npt.NDArray[np.float16]:
         """One texture of x, y, z, 0 as halfs, indexed [z, y, x, component]: what a shader samples."""
@@ -380,27 +438,38 @@ class Wind:
 
     def record_to(self, log: EventLog | None) -> None:
         """Notes every accepted call that changes the wind; None: no longer."""
-        check(library.windrow_wind_record_to(self._wind, None if log is None else log._handle.pointer))
-        self._log = log
+        check(library.windrow_wind_record_to(self._wind, None if log is None else of_class("log", log, EventLog)._handle.pointer))
+        self._handle.log = log
+        for owner in self._handle._keeps:  # the wind of a scene lives as long as that
+            if isinstance(owner, Handle):
+                owner.log = log
 
     def write_vdb(self, path: str | os.PathLike[str]) -> None:
         """Writes the cells as an OpenVDB file; a library without OpenVDB fails with the kind "unsupported" (windrow.has_part("vdb"))."""
-        check(library.windrow_vdb_write(self._wind, os.fsencode(path), None))
+        check(library.windrow_vdb_write(self._wind, text("path", path), None))
 
     def write_field(self, path: str | os.PathLike[str], format: FieldFormat | None = None, *, time: float = 0.0) -> None:
         """Writes the cells as a file of an engine or an analyst; None: the format of the path's suffix.
 
         fga: Unreal Engine, z up, left-handed, centimetres. vf: Unity, y up, left-handed. raw: a 3D texture of halfs x, y, z, 0, with its
-        size and place in a .json beside it. npz: numpy. vti: ParaView. The last three have the axes of the library.
+        size and place in NAME.raw.json. npz: numpy. vti: ParaView. The last three have the axes of the library. A box with rows of
+        unequal thickness is sampled at the centres of equal cells.
         """
         words = ("fga", "vf", "raw", "npz", "vti")
-        chosen = os.fspath(path).rpartition(".")[2] if format is None else format
-        check(library.windrow_wind_write_field(self._wind, os.fsencode(path), _choice("format", chosen, words), time))
+        place = text("path", path)
+        chosen = os.path.splitext(os.fsdecode(place))[1][1:].lower() if format is None else format
+        check(library.windrow_wind_write_field(self._wind, place, _choice("format", chosen, words), number("time", time)))
 
     @property
     def memory_bytes(self) -> int:
+        """That the wind has allocated."""
         return int(library.windrow_wind_memory_bytes(self._wind))
 
     def _grid(self) -> tuple[int, int, int]:
-        cells = self.box.cells
-        return (cells[2], cells[1], cells[0])
+        return self._cells
+
+
+def _checked(sampling: Sampling) -> Any:
+    struct = of_class("sampling", sampling, Sampling)._to_c([])
+    check(library.windrow_sampling_validate(ctypes.byref(struct)))
+    return struct
