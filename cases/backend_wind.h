@@ -38,6 +38,9 @@ class Backend {
     Backend(std::shared_ptr<vulkan::OwnDevice> device, std::string words)
         : device_(std::move(device)), words_(std::move(words)) {}
 
+    /// Most obstacles whose forces come back from a device (vulkan::Settings::forces); the CPU gives those of all.
+    int forces = 0;
+
     [[nodiscard]] bool is_cpu() const { return device_ == nullptr; }
     [[nodiscard]] BackendKind kind() const { return is_cpu() ? BackendKind::cpu : BackendKind::vulkan; }
     /// Null: the CPU.

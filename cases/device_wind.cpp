@@ -31,6 +31,7 @@ void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
 Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock) {
     vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1, .queries = vulkan::ReadBack::cells};
     settings.timestamps = clock == BackendClock::on;
+    settings.forces = backend.forces;
     auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
     if (!wind && settings.timestamps) { // a queue that counts no time
         settings.timestamps = false;

@@ -15,6 +15,7 @@
 #include "pictures/picture_files.h"
 #endif
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -168,6 +169,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     cases::Backend backend;
     if (const auto fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
+    if (request.probes.forces)
+        backend.forces = static_cast<int>(std::max<std::size_t>(scene->obstacles.size(), 1));
     const bool keeps = request.vdb || request.images || request.csv || !request.fields.empty() || request.probes.any();
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
     OutputFolder output;

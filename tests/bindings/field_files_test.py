@@ -35,7 +35,7 @@ def read_vf(file):
 
 
 def read_raw(file):
-    words = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
+    words = json.loads(pathlib.Path(f"{file}.json").read_text(encoding="utf-8"))
     assert words["format"] == "rgba16f"
     return words, np.frombuffer(file.read_bytes(), "<f2").reshape(*words["size"][::-1], 4)
 
@@ -147,7 +147,7 @@ class Command(InFolder):
         code, said = self.run_command("--fields", "npz,raw,npz")
         self.assertEqual((code, "files of fields (wind_*.npz, wind_*.raw)" in said), (0, True), said)
         names = sorted(path.name for path in (self.folder / "out").iterdir())
-        self.assertEqual(names, [f"wind_{n:04}.{suffix}" for n in range(4) for suffix in ("json", "npz", "raw")])
+        self.assertEqual(names, [f"wind_{n:04}.{suffix}" for n in range(4) for suffix in ("npz", "raw", "raw.json")])
         first, last = (np.load(self.folder / f"out/wind_000{n}.npz") for n in (0, 3))
         self.assertTrue(first["obstacle"].any() and not first["velocity"][first["obstacle"]].any())
         self.assertAlmostEqual(float(last["time"]), 0.3)
@@ -188,6 +188,25 @@ class Command(InFolder):
         self.assertAlmostEqual(float(last["pressure_pa"]), force.pressure, places=4)
         self.assertEqual({row["name"] for row in forces}, {"house", "car"})
         self.assertLess(len([row for row in forces if row["name"] == "car"]), 6)
+
+    def test_a_device_keeps_the_same(self):
+        (self.folder / "s.json").write_text(json.dumps({
+            "duration": 0.2, "frames_per_second": 10, "tick_hz": 30, "air": {"cells": [12, 8, 9], "ambient": [4, 0, 0]},
+            "obstacles": [{"name": "house", "position": [1, 0, 0], "shape": {"block": {}}}]}), encoding="utf-8")
+        kept = {}
+        for backend in ("cpu", "vulkan"):
+            code, said = self.run_command("--backend", backend, "--fields", "npz", "--probe", "lee=3,0,0", "--forces")
+            if code == 3 or "built without" in said or "is not built in" in said:
+                self.skipTest(said)
+            self.assertEqual(code, 0, said)
+            with np.load(self.folder / "out/wind_0002.npz") as arrays:
+                kept[backend] = (arrays["velocity"], arrays["obstacle"], self.rows("probes.csv")[-1], self.rows("forces.csv")[-1])
+        self.assertTrue(np.allclose(kept["cpu"][0], kept["vulkan"][0], atol=1e-4))
+        self.assertTrue(kept["cpu"][1].any() and np.array_equal(kept["cpu"][1], kept["vulkan"][1]))
+        for row in (2, 3):
+            for name, value in kept["cpu"][row].items():
+                other = kept["vulkan"][row][name]
+                self.assertTrue(value == other or abs(float(value) - float(other)) < 1e-3 * max(1.0, abs(float(value))), name)
 
     def test_probes_that_do_not_fit(self):
         (self.folder / "s.json").write_text("{}", encoding="utf-8")
