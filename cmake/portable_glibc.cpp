@@ -19,6 +19,8 @@ extern "C" std::uint32_t arc4random() noexcept {
 // In place of the handler that prints the type of an exception that nothing caught: its reader of C++ names takes 47 kB.
 namespace __gnu_cxx {
 void __verbose_terminate_handler() {
+    constexpr char k_words[] = "windrow: an exception was not caught: this is a fault of windrow, report it.\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, k_words, sizeof k_words - 1);
     std::abort();
 }
 } // namespace __gnu_cxx

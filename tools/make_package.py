@@ -29,11 +29,18 @@ PLATFORMS = {
     "arm64": ("linux-aarch64", LIBRARY_ALONE),
     "windows": ("windows-x86_64", LIBRARY_ALONE),
 }
+# GLM's headers of the archive are found after a host's own.
+GLM_FOLDER = "share/windrow/glm"
 GLM_CONFIG = """# GLM's headers of this archive.
 if(NOT TARGET glm::glm)
   add_library(glm::glm INTERFACE IMPORTED)
   get_filename_component(root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
-  set_target_properties(glm::glm PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${root}/include")
+  set_target_properties(glm::glm PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${root}/share/windrow/glm")
+endif()
+"""
+GLM_VERSION = """set(PACKAGE_VERSION "VERSION")
+if(NOT PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION)
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
 endif()
 """
 # Of NOTICE, by its field In; and the compiler's own, which is linked in.
@@ -143,9 +150,14 @@ def make(platform, out):
     shutil.rmtree(stage, ignore_errors=True)
     run(["cmake", "--install", build, "--prefix", stage, "--strip"])
     glm = next(path for path in map(pathlib.Path, ("/usr/include/glm", "/usr/local/include/glm")) if path.exists())
-    shutil.copytree(glm, stage / "include/glm", ignore=shutil.ignore_patterns("CMakeLists.txt", "*.cpp", "*.cppm"))
+    shutil.copytree(glm, stage / GLM_FOLDER / "glm", ignore=shutil.ignore_patterns("CMakeLists.txt", "*.cpp", "*.cppm"))
+    numbers = re.findall(r"define GLM_VERSION_(?:MAJOR|MINOR|PATCH|REVISION)\s+(\d+)", (glm / "detail/setup.hpp").read_text(encoding="utf-8"))
     (stage / "lib/cmake/glm").mkdir()
     (stage / "lib/cmake/glm/glmConfig.cmake").write_text(GLM_CONFIG, encoding="utf-8")
+    (stage / "lib/cmake/glm/glmConfigVersion.cmake").write_text(GLM_VERSION.replace("VERSION\")", ".".join(numbers[:4]) + "\")", 1), encoding="utf-8")
+    for words in (stage / "lib/pkgconfig").glob("windrow-fluid.pc"):
+        said = words.read_text(encoding="utf-8")
+        words.write_text(re.sub(r"(?m)^(Cflags: .*)$", rf"\1 -idirafter ${{prefix}}/{GLM_FOLDER}", said), encoding="utf-8")
     (stage / "sbom.spdx.json").write_text(spdx(name, without), encoding="utf-8")
     for page in ("LICENSE", "NOTICE", "README.md"):
         shutil.copy2(ROOT / page, stage / page)

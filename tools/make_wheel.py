@@ -35,6 +35,8 @@ def run(command, **options):
 
 def make(platform, out):
     tag, library, options = PLATFORMS[platform]
+    if platform == "linux" and os.uname().machine != "x86_64":
+        sys.exit(f"linux is x86-64, and this machine is {os.uname().machine}: give arm64 there, or build the library by CMake")
     folder = ROOT / "build/wheel" / platform
     run(["cmake", "-S", ROOT, "-B", folder / "build", "-G", "Ninja", *OPTIONS, *options])
     run(["cmake", "--build", folder / "build", "--target", "windrow_c", "--parallel", os.environ.get("WINDROW_JOBS", os.cpu_count())])

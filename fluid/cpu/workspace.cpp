@@ -199,8 +199,8 @@ Result<void> Workspace::set_boundaries(const Boundaries& boundaries) {
         return valid;
     return detail::where_memory_lasts([&]() -> Result<void> {
         std::vector<PlacedObstacle> bodies;
-        if (state_->has_solids())
-            bodies.assign(solids()->bodies().begin(), solids()->bodies().end());
+        if (state_->solids)
+            bodies.assign(state_->solids->bodies().begin(), state_->solids->bodies().end());
         state_->set_boundaries(boundaries);
         if (bodies.empty())
             return {};
