@@ -3,6 +3,7 @@
 #include "coupling/plant_numerics.h"
 #include "fluid/core/validation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace windrow {
@@ -29,8 +30,10 @@ double cauchy_number(const Drag& drag, double speed) {
 }
 
 float bend_angle(const Drag& drag, float speed) {
+    constexpr float k_fastest = 1e6f; // [m/s] as Sampling::limit; the square of more is no float
     const numerics::WindrowDrag shared{block(drag).load};
-    return glm::length(numerics::windrow_drag_bend(shared, {0.0f, 1.0f, 0.0f}, {speed, 0.0f, 0.0f}, 1.0f));
+    const float across = std::clamp(speed, -k_fastest, k_fastest);
+    return glm::length(numerics::windrow_drag_bend(shared, {0.0f, 1.0f, 0.0f}, {across, 0.0f, 0.0f}, 1.0f));
 }
 
 float rectangle_rigidity(float young, float width, float thickness) {

@@ -448,6 +448,7 @@ class Plants(unittest.TestCase):
         self.assertEqual((positions.shape, normals.shape), ((3, 5, 2, 4), (3, 5, 2, 4)))
         self.assertTrue(np.all(positions[:, -1, :, 0].mean(axis=1) > [0, 1, 3]))  # the tips lean with the wind
         self.assertEqual(windrow.drag_of("grass"), windrow.Drag())
+        self.assertEqual(windrow.bend_angle(windrow.Drag(), 1e30), windrow.bend_angle(windrow.Drag(), 1e6))
 
         for wrong in (np.arange(6, dtype=np.uint32), np.zeros((3, 1), np.uint32), np.random.random((3, 2))):
             self.assertIn("give what plant_keys returns", sentence_of(self, lambda: blades.loads(wrong, np.ones((3, 3)))))

@@ -88,6 +88,9 @@ def main():
         needed = run(["readelf", "-d", tree / "bin/windrow", tree / "lib/libwindrow.so"])
         others = set(re.findall(r"\(NEEDED\).*\[(.*)\]", needed)) - {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
         expect(not others, f"what is in {tree} needs {sorted(others)}")
+        symbols = run(["readelf", "-W", "--dyn-syms", tree / "bin/windrow", tree / "lib/libwindrow.so"])
+        newest = max(tuple(map(int, found)) for found in re.findall(r"GLIBC_(\d+)\.(\d+)", symbols))
+        expect(newest <= (2, 34), f"what is in {tree} needs glibc {newest}")
     expect("libc6 (>= 2.34)" in run(["dpkg-deb", "--field", next((work / "first").glob("*.deb")), "Depends"]), "the package depends on less")
 
     parts = json.loads((there / "sbom.spdx.json").read_text(encoding="utf-8"))
