@@ -13,11 +13,12 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tarfile
 import time
 import zipfile
+
+from make_wheel import run
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 OFF = ("VDB", "IMAGES", "FFTW", "VEGETATION", "EXAMPLES", "TESTS")
@@ -48,13 +49,6 @@ COMPILED_IN = {"GLM": None, "JSON for Modern C++": None, "CLI11": "CLI", "Vulkan
 GCC_LICENCE = "GPL-3.0-or-later WITH GCC-exception-3.1"
 RUNTIME = [{"Name": "GCC runtime libraries (libstdc++, libgcc)", "Source": "gcc", "Licence": GCC_LICENCE}]
 MINGW = [*RUNTIME, {"Name": "MinGW-w64 runtime and winpthreads", "Source": "mingw-w64", "Licence": "ZPL-2.1 AND MIT"}]
-
-
-def run(command, **options):
-    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
-    if done.returncode != 0:
-        sys.exit(f"{done.stdout}\n{' '.join(map(str, command))} ended with {done.returncode}")
-    return done.stdout
 
 
 def version():

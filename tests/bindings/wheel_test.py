@@ -9,8 +9,10 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
+from make_wheel import run
 
 MOST_BYTES = 1_500_000
 OF_THE_SYSTEM = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
@@ -35,13 +37,6 @@ for _ in range(100):
 assert tasks == 1, f"{tasks} threads"
 print(" ".join(sorted(os.path.basename(name) for name in while_loaded)))
 """
-
-
-def run(command, **options):
-    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))[:300]} ends with {done.returncode}:\n{done.stdout}")
-    return done.stdout
 
 
 def expect(holds, sentence):

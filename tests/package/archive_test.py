@@ -11,9 +11,11 @@ import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tarfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
+from make_wheel import run
 
 CMAKE = """cmake_minimum_required(VERSION 3.25)
 project(game LANGUAGES CXX)
@@ -21,13 +23,6 @@ find_package(windrow 0.1 REQUIRED COMPONENTS fluid)
 add_executable(game game.cpp)
 target_link_libraries(game PRIVATE windrow::fluid)
 """
-
-
-def run(command, **options):
-    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))[:300]} ends with {done.returncode}:\n{done.stdout}")
-    return done.stdout
 
 
 def expect(holds, sentence):
