@@ -1,5 +1,6 @@
 // Based on: Batty, Bertails & Bridson 2007, ACM Transactions on Graphics 26; Ng, Min & Gibou 2009, Journal of Computational Physics
-// 228 (fractions of faces). Flux and slope: shaders/numerics/closed_face.glsl, slip: slip.glsl.
+// 228 (fractions of faces). Flux, slope and diffusion: shaders/numerics/closed_face.glsl, slip: slip.glsl. The
+// projection that uses them: pressure.cpp, solve_around; its equation: fluid/solids/solids.h.
 #include "fluid/cpu/solid_flow.h"
 
 #include "fluid/core/numerics.h"
@@ -428,15 +429,11 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
-            const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]);
-            const glm::vec3 stuck = 2.0f * (wall - (any ? prescribed_at(prescribed, face.cell[end]) : glm::vec3(0.0f)) - here);
-            glm::vec3 flux(0.0f);
-            if (sticks)
-                flux = stuck;
-            else
-                flux[face.axis] = stuck[face.axis];
-            result[face.cell[end]] +=
-                glm::vec4(ratio * scales.cell[end] * scales.link * (face.facing[end] * flux - face.closed * (next - here)), 0.0f);
+            const std::uint32_t cell = face.cell[end];
+            const glm::vec3 flux = numerics::windrow_wall_flux(face.facing[end], face.closed, sticks, face.axis,
+                                                               glm::vec3(field[cell]), glm::vec3(field[face.cell[1 - end]]),
+                                                               wall - (any ? prescribed_at(prescribed, cell) : glm::vec3(0.0f)));
+            result[cell] += glm::vec4(ratio * scales.cell[end] * scales.link * flux, 0.0f);
         }
     });
 }
@@ -448,11 +445,11 @@ void SolidFlow::drag_along_walls(const PrescribedFlow& prescribed, float ratio, 
         const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
             const std::uint32_t cell = face.cell[end];
-            const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.facing[end], part = way / (1.0f + way);
-            const glm::vec3 apart = wall - (any ? prescribed_at(prescribed, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
-            for (int axis = 0; axis < 3; ++axis)
-                if (sticks || axis == face.axis)
-                    field[cell][axis] += part * apart[axis];
+            const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.facing[end];
+            field[cell] =
+                glm::vec4(numerics::windrow_wall_dragged(way, sticks, face.axis, glm::vec3(field[cell]),
+                                                         wall - (any ? prescribed_at(prescribed, cell) : glm::vec3(0.0f))),
+                          field[cell].w);
         }
     });
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();

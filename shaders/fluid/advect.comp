@@ -76,11 +76,11 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
-// What a cubic read of the profile has over a linear one, as a factor of the mean wind: Everett's form of the cubic.
+// As a factor of the mean wind.
 float bend_at(int at, float t, ivec3 s) {
     if (!is_on(WINDROW_PROFILE) || is_on(WINDROW_LINEAR))
         return 0.0f;
-    return (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * padded[at].w + (1.0f + t) * padded[at + s.y].w);
+    return windrow_profile_bend(t, padded[at].w, padded[at + s.y].w);
 }
 
 // What the perturbation carries of the prescribed background wind, beside `w`, which was carried along `displacement` [cells]:

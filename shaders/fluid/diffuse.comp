@@ -38,13 +38,8 @@ vec3 closed_flux(ivec3 cell, int record, vec3 here) {
             const ivec3 other = solid_cell(face.cell[end]);
             const vec3 place = face_middle(solid_cell(face.cell[0]), axis);
             const vec3 next = solved_cell(other, solid_record(other));
-            const vec3 stuck = 2.0f * (body_velocity(face.body, place) - wind - here);
-            vec3 flux = vec3(0.0f);
-            if (face_is_no_slip(face))
-                flux = stuck;
-            else
-                flux[axis] = stuck[axis];
-            sum += exchange(cell, axis, end) * (face.facing[1 - end] * flux - face.closed * (next - here));
+            sum += exchange(cell, axis, end) * windrow_wall_flux(face.facing[1 - end], face.closed, face_is_no_slip(face), axis,
+                                                                 here, next, body_velocity(face.body, place) - wind);
         }
     return sum;
 }
@@ -61,12 +56,8 @@ vec3 dragged_air(ivec3 cell, int record, float ratio) {
             continue;
         const SolidFace face = solid_face(number);
         const vec3 place = face_middle(solid_cell(face.cell[0]), axis);
-        const float way = 2.0f * ratio * exchange(cell, axis, n / 3) * face.facing[1 - n / 3], part = way / (1.0f + way);
-        const vec3 apart = body_velocity(face.body, place) - wind - v;
-        if (face_is_no_slip(face))
-            v += part * apart;
-        else
-            v[axis] += part * apart[axis];
+        const float way = 2.0f * ratio * exchange(cell, axis, n / 3) * face.facing[1 - n / 3];
+        v = windrow_wall_dragged(way, face_is_no_slip(face), axis, v, body_velocity(face.body, place) - wind);
     }
     return v;
 }

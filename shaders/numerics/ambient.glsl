@@ -51,6 +51,12 @@ WINDROW_FN float windrow_profile(float height, float roughness, float reference)
     return log(1.0f + height / roughness) / log(1.0f + reference / roughness);
 }
 
+// What a cubic read of a profile has over a linear one, at t in [0, 1] between two rows with these second differences: Everett's form
+// of the cubic.
+WINDROW_FN float windrow_profile_bend(float t, float low, float high) {
+    return (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * low + (1.0f + t) * high);
+}
+
 // The tile's vector at any whole texel: wrapped along x and z, mirrored along y.
 WINDROW_FN vec3 windrow_tile_repeated(WINDROW_TILE tile, ivec3 texel) {
     int y = texel.y & 31;

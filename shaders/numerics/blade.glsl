@@ -1,5 +1,7 @@
 // A blade of grass: a bent strip of constant length.
 //
+// The middle line c(h) and its turn R(h): stem.glsl; the load: plant_drag.glsl.
+//
 //   facing f     the yaw of its hash; the strip's width lies along w = axis x f
 //   load         windrow_drag_bend, or a spring that follows it; a fraction of it along the wind, the rest about the strip's own
 //                wide axis

@@ -1,4 +1,4 @@
-// Value of a cascade of first-order stages at the height of a shell (coupling/cascade.h advances the stages).
+// Value of a cascade of first-order stages at the height of a shell (coupling/cascade_step.h advances the stages).
 //
 //   stage 0 the body,  y_i' = lambda (y_(i-1) - y_i),  i = 1 .. n,  a shell at height h in [0, 1] reads y at i = h n
 //

@@ -25,4 +25,28 @@ WINDROW_FN float windrow_blown_past(float closed, float both, float beyond, bool
     return 0.5f * (closed * both + (beyond_is_sheltered ? 0.0f : (1.0f - closed) * beyond));
 }
 
+// Diffusion: what an explicit pass changes in the cell `here`, over viscosity dt / h^2. Nothing comes from the cell `next` through what
+// is closed; the wall, half a cell away, holds what sticks to it, and of other air the part across it. `facing`: closed in this
+// direction; `wall`: its velocity, less what is prescribed here.
+WINDROW_FN vec3 windrow_wall_flux(float facing, float closed, bool sticks, int axis, vec3 here, vec3 next, vec3 wall) {
+    vec3 stuck = 2.0f * (wall - here);
+    vec3 flux = vec3(0.0f);
+    if (sticks)
+        flux = stuck;
+    else
+        flux[axis] = stuck[axis];
+    return facing * flux - closed * (next - here);
+}
+
+// The same of an implicit pass, in each cell by itself: (here + way wall) / (1 + way), with way = 2 facing viscosity dt / h^2.
+WINDROW_FN vec3 windrow_wall_dragged(float way, bool sticks, int axis, vec3 here, vec3 wall) {
+    float part = way / (1.0f + way);
+    vec3 change = part * (wall - here);
+    if (sticks)
+        return here + change;
+    vec3 dragged = here;
+    dragged[axis] += change[axis];
+    return dragged;
+}
+
 #endif

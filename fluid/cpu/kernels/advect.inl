@@ -39,11 +39,6 @@ struct Displacements {
     alignas(64) float axis[3][k_row_chunk];
 };
 
-inline float floor_small(float value) {
-    const auto whole = static_cast<float>(static_cast<std::int32_t>(value));
-    return whole > value ? whole - 1.0f : whole;
-}
-
 // The cell below a place, from the low end of the axis, and the distance from its centre.
 struct AxisPlace {
     float base, fraction;
@@ -258,7 +253,7 @@ inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
         }
 }
 
-// Difference between a cubic and a linear read of the profile, as a factor of the mean wind: Everett's form of the cubic.
+// As factors of the mean wind.
 inline void bends_at(const AdvectTask& task, const CellRun& run, const Displacements& displacements, float* bends) {
     const float* const rows = task.prescribed.bends + k_halo_low;
     const Legal& legal = task.legal;
@@ -269,7 +264,7 @@ inline void bends_at(const AdvectTask& task, const CellRun& run, const Displacem
             const AxisPlace place = place_of<1>(legal, cell, displacements.axis[1][n]);
             const auto row = static_cast<std::int32_t>(place.base);
             const float t = place.fraction;
-            bends[n] = (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * rows[row] + (1.0f + t) * rows[row + 1]);
+            bends[n] = text::windrow_profile_bend(t, rows[row], rows[row + 1]);
         }
 }
 

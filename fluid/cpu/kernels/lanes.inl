@@ -330,3 +330,9 @@ inline Components dealt_components_of(const CellRegisters& cells) {
     const DealtCells dealt = dealt_cells(cells);
     return {dealt.x, dealt.y, dealt.z};
 }
+
+// Of a value that an int holds.
+inline float floor_small(float value) {
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(value));
+    return whole > value ? whole - 1.0f : whole;
+}

@@ -8,6 +8,8 @@
 namespace windrow::cpu::WINDROW_LEVEL {
 namespace {
 #include "fluid/cpu/kernels/lanes.inl"
+// Formulas of shaders;
+#include "fluid/cpu/kernels/shader_text.inl"
 // All others use the lanes.
 #include "fluid/cpu/kernels/advect.inl"
 #include "fluid/cpu/kernels/advect_scalar.inl"
@@ -18,8 +20,7 @@ namespace {
 #include "fluid/cpu/kernels/stress.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
-// Queries of points: formulas of shaders and remainders;
-#include "fluid/cpu/kernels/shader_text.inl"
+// Queries of points: remainders;
 #include "fluid/cpu/kernels/wrap.inl"
 // groups of points;
 #include "fluid/cpu/kernels/points.inl"
