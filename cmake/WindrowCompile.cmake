@@ -6,18 +6,24 @@ set(WINDROW_UNITY 0 CACHE STRING "Files that are compiled as one; 0: each by its
 
 option(WINDROW_PORTABLE "Link the command and the library in C for any Linux with glibc 2.34: libraries of C++ within them" OFF)
 
-# windrow_compile(TARGET [LIGHT])
+# windrow_compile(TARGET [LIGHT | TEST])
 #
 # -ffp-contract=off: a product and a sum stay two roundings unless a kernel asks for a fused one by name, so that one
 # source gives one result for each SIMD level whatever the compiler. -fno-fast-math: a host that compiles with -ffast-math does not
 # change what the library computes.
-# LIGHT: code around the library (the command, file readers, tests). It is compiled far more often than its own loops run, and
-# -O1 takes half the time. Results are the same: without fast-math and contraction no level of optimization changes a bit.
+# LIGHT: code around the library (the command, file readers). It is compiled far more often than its own loops run, and -O1 takes
+# half the time. TEST: what calls the library and compares; -Og takes five sixths of that. Results are the same: without
+# fast-math and contraction no level of optimization changes a bit.
 function(windrow_compile target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg LIGHT "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "LIGHT;TEST" "" "")
+  if(arg_TEST)
+    set(arg_LIGHT ON)
+  endif()
   set(level -O3)
   if(WINDROW_PORTABLE) # what is copied to other machines is downloaded; the kernels keep -O3 (fluid/CMakeLists.txt)
     set(level $<IF:$<BOOL:${arg_LIGHT}>,-Os,-O2>)
+  elseif(arg_TEST)
+    set(level -Og)
   elseif(arg_LIGHT)
     set(level -O1)
   endif()
@@ -39,6 +45,9 @@ function(windrow_compile target)
     target_compile_options(${target} PRIVATE -fsanitize=${WINDROW_SANITIZE} -fno-omit-frame-pointer
                            $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-maybe-uninitialized>)
     target_link_options(${target} PUBLIC -fsanitize=${WINDROW_SANITIZE})
+    if(arg_LIGHT AND NOT WINDROW_FUZZ)
+      target_compile_options(${target} PRIVATE -Og)
+    endif()
     if(WINDROW_SANITIZE MATCHES "undefined" AND (arg_LIGHT OR NOT WINDROW_FUZZ))
       # Checks of each pointer double the time of compiling, and AddressSanitizer's own find most of it; the library that is fuzzed
       # has them all, since there a file's bytes become its values.

@@ -1,5 +1,6 @@
 // The main function of each program of tests. Without --gtest_filter a program runs what `./dev test` is for: no test whose name
-// begins with Long, and under AddressSanitizer no test of ten seconds and more, unless WINDROW_TIER is all.
+// begins with Long, and unless WINDROW_TIER is all none that takes five seconds to run what a shorter one runs, and under
+// AddressSanitizer no test of ten seconds.
 #include "tests/tier.h"
 
 #include <cstdio>
@@ -7,6 +8,22 @@
 #include <string>
 
 namespace {
+
+// What stays is behind each line: the same code in a smaller form, or on another scene.
+constexpr const char* k_left_to_all[] = {
+    "BodiesThatMove.APropellerTurns*:*ThinWalls.PushWhatTheySweep/mesh", // the propeller's moment, counted steps; the other shapes
+    "*OfTheCpu/fast_air_in_small_cells:WindParity.UnevenSteps*",         // WindSubsteps, WindCalls.ManySubSteps; random rows
+    "WindStorms.PartNoFaster*:WindObstacles.AClosedRoom*",               // WindStorms.AgreeTickByTick; Rooms, rows of thin walls
+    "WindObstacles.AVentAndAFan*:WindObstacles.AWalkAlongFences*",       // random rows
+    "Scenes/FrameRate.*/gusts_fan:FrameRateOfASlideShow.*",              // FrameRate of the grove, FrameRateUntouched
+    "*PictureBackends.*/fur_ball:*PictureBackends.*/grove",              // that of the fan in gusts
+    "*AirBackends.*/train:*AirBackends.*/wolf:*AirBackends.*/wake",      // that of the meadow
+    "*Resume.*/fur_ball:*Resume.*/steady_trail",                         // that of the grove
+    "*Repeat.*/grove:*Repeat.*/steady_trail:*Repeat.*/far_hills",        // those of the fan and of the slice
+    "GrassSwing.IsTheSameAtAnyFrameRate:StrandsOutside.OfTheBunny",      // FrameRate; the beast's tufts
+    "GroundWalkers.InACrowd*",                                           // WhoStops
+    "CoatGaps.TheWalkBetweenLayersClosesTheS*:CoatCost.FragmentsAPixel*", // gaps of a plane; the order of layers
+};
 
 // Shorter tests run the same code, one or two of each of these kinds.
 constexpr const char* k_slow_under_asan[] = {
@@ -28,6 +45,13 @@ constexpr const char* k_slow_under_asan[] = {
     "TiledGround.FourTilesAreOneMapWherever*:WindInShaders.HardwareFiltering*:SharedPipelines.AreLookedFor*",
     "WindObstacles.AVent*:WindObstacles.ASteadyWind*:WindObstacles.ViscousAir*:WindObstacles.AWalkAlong*",
     "WindParity.UnevenSteps*:WindParity.ThinBoxes:WindCalls.ManySubSteps:WindSubsteps.AStorm*",
+    "GroundHoles.AreTheSame*:TiledGround.AnyTiles*:SceneCost.UnknownKeys:SceneCost.OneTable*:Mesh.WindingNumbers*",
+    "WindObstacles.Forces*:WindObstacles.ABallThat*:WindObstacles.TheClassic*:WindObstacles.AWalkOver*",
+    "WindObstacles.InMemory*:*OfTheCpu/matrix*:*OfTheCpu/piston:*OfTheCpu/ball_moves*:*OfTheCpu/random_1*",
+    "*SurfaceReadings.AreThoseOfTheCpu/*:*SurfaceReadings.*/ball_that*:*SurfaceReadings.*/sticking*",
+    "WindCalls.Viscosity*:WindCalls.StagesLeftOut:WindSaves.ContinueToTheBit:WindInFlight.EveryFrame*",
+    "BlendZone.AWalkPast*:VoxelGrid.ASegment*:Ground.WindowShifts*:Elastica.TheTip*:CascadeStep.*:Tree.PartsStay*",
+    "*MotorCrowd.EqualsTheSum*/3000:WorkGrowth.OfMeshes*:Ticks.StatesAt*",
 };
 
 } // namespace
@@ -41,6 +65,9 @@ int main(int count, char** arguments) {
 #endif
     if (!chosen) {
         std::string filter = "-Long*:*.Long*";
+        if (!windrow::test::whole_sweeps())
+            for (const char* const patterns : k_left_to_all)
+                (filter += ':') += patterns;
         if (leaves_out_slow)
             for (const char* const patterns : k_slow_under_asan)
                 (filter += ':') += patterns;

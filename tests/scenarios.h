@@ -23,7 +23,7 @@ struct Scenario {
     /// Before step n, from 0.
     std::function<void(WindControl&, int)> step{};
     int steps = 100;
-    bool late = false; ///< what it is for comes after more than 40 steps
+    bool late = false; ///< what it is for comes after more than 24 steps
     /// Two winds that start one rounding apart part by more than 1e-6 in 12 steps.
     bool chaotic = false;
 };
@@ -267,8 +267,8 @@ inline std::vector<Scenario> scenarios(bool whole) {
          .begin = [](WindControl& wind) { must(wind.motors().add(DirectionalMotor{})); },
          .step =
              [](WindControl& wind, int n) {
-                 if (n % 40 == 30)
-                     must(wind.set_boundaries(n % 80 == 30 ? Boundaries{.z_low = {BoundaryKind::free_slip}} : Boundaries{}));
+                 if (n % 20 == 15)
+                     must(wind.set_boundaries(n % 40 == 15 ? Boundaries{.z_low = {BoundaryKind::free_slip}} : Boundaries{}));
              }});
     // Sub-steps, of which each has its own place of the body and its sources.
     rows.push_back({.name = "fast_air_in_small_cells",

@@ -111,10 +111,10 @@ TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
         double area, most;          // [m^2]; of the difference over the force at rest
         int places = sampled(6, 4); // at rest
     };
-    const Case cases[] = {{"flat", Block{{0.26f, 0.75f, 0.75f}}, k_area, 0.2},
-                          {"long", Block{{1.5f, 0.75f, 0.75f}}, k_area, 0.4},
-                          {"ball", Sphere{1.5f}, k_disc, 0.2, 12}};
-    for (const Case& one : cases) {
+    const Case cases[] = {{"long", Block{{1.5f, 0.75f, 0.75f}}, k_area, 0.4},
+                          {"ball", Sphere{1.5f}, k_disc, 0.2, 12},
+                          {"flat", Block{{0.26f, 0.75f, 0.75f}}, k_area, 0.2}};
+    for (const Case& one : std::span(cases).first(whole_sweeps() ? 3 : 2)) {
         const double rests = drag_of(one.shape, one.area, false, 60.0, one.places),
                      moves = drag_of(one.shape, one.area, true, 60.0);
         const std::string name = std::string("forces/frames/") + one.name;
@@ -122,11 +122,13 @@ TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
         figure(name + "/moves", moves);
         WINDROW_EXPECT_FIGURE(name + "/apart", std::abs(moves - rests) / rests, one.most);
     }
-    const double middle = drag_of(cases[1].shape, k_area, true, 60.0);
-    WINDROW_EXPECT_FIGURE("forces/frames/long/60_against_240_hz",
-                          std::abs(drag_of(cases[1].shape, k_area, true, 240.0) / middle - 1.0), 0.1);
+    const double middle = drag_of(cases[0].shape, k_area, true, 60.0);
     WINDROW_EXPECT_FIGURE("forces/frames/long/60_against_15_hz",
-                          std::abs(drag_of(cases[1].shape, k_area, true, 15.0) / middle - 1.0), 0.25);
+                          std::abs(drag_of(cases[0].shape, k_area, true, 15.0) / middle - 1.0), 0.25);
+    if (whole_sweeps()) { // four times the steps
+        WINDROW_EXPECT_FIGURE("forces/frames/long/60_against_240_hz",
+                              std::abs(drag_of(cases[0].shape, k_area, true, 240.0) / middle - 1.0), 0.1);
+    }
 }
 
 // A ball through still air, a third of a cell a step: no air is faster than it, and the air outside has what it was given. Where the

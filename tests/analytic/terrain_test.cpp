@@ -152,7 +152,7 @@ OffPotential off_potential(const Ridge& ridge, Grid grid, int steps) {
 // Stairs of whole cells have such a wake.
 TEST(Terrain, ARidgeNearsItsPotentialFlow) {
     const struct { double slope, height, bound; } k_cases[] = {{0.3, 4.0, 0.14}, {0.5, 7.0, 0.19}, {0.5, 4.0, 0.28}};
-    for (const auto& [slope, height, bound] : k_cases) {
+    for (const auto& [slope, height, bound] : std::span(k_cases).first(whole_sweeps() ? 3 : 1)) {
         const std::string name = "terrain/slope_" + std::to_string(static_cast<int>(10.0 * slope)) + "_tenths_at_" +
                                  std::to_string(static_cast<int>(height));
         const OffPotential first = off_potential(ridge_of_slope(height, slope), Grid::cubes, 2);
@@ -233,7 +233,7 @@ void walk_over_the_survey(float speed) {
     ASSERT_TRUE(ground);
     constexpr glm::ivec3 k_cells(32, 24, 32);
     constexpr double k_dt = 1.0 / 30.0, k_pace = 1.5, k_length = 1'000.0;
-    const double whole = whole_sweeps() ? 10.0 * k_length : 0.4 * k_length;
+    const double whole = whole_sweeps() ? 10.0 * k_length : 0.15 * k_length;
     const int steps = k_sanitized ? 30 : static_cast<int>(whole / k_pace / k_dt);
     Wind wind = made({.cells = k_cells,
                       .boundaries = Boundaries::open_over_floor(),

@@ -174,11 +174,11 @@ TEST_F(AirParity, EveryKindOfBoxAgreesAfterOneStepAndAfterAHundred) {
         twin.step(1.0 / 30.0);
         const double one = twin.difference();
         WINDROW_EXPECT_FIGURE("parity.one_step." + setting.name, one, 1e-5);
-        // Between whole runs twenty, since scenarios_test.cpp plays the default boxes for longer.
+        // Between whole runs eight, since scenarios_test.cpp plays the default boxes for longer.
         const bool whole = test::whole_sweeps();
-        for (int n = 1; n < (whole ? 100 : 20); ++n)
+        for (int n = 1; n < (whole ? 100 : 8); ++n)
             twin.step(1.0 / 30.0);
-        WINDROW_EXPECT_FIGURE((whole ? "parity.hundred_steps." : "parity.twenty_steps.") + setting.name, twin.difference(), 1e-5);
+        WINDROW_EXPECT_FIGURE((whole ? "parity.hundred_steps." : "parity.eight_steps.") + setting.name, twin.difference(), 1e-5);
     }
 }
 

@@ -68,7 +68,7 @@ TEST_F(WindAllocations, EachThatFailsLeavesTheWindUsable) {
     live();
     ASSERT_EQ(rejected, 0);
     wind.reset();
-    const int stride = test::whole_sweeps() ? 37 : 397; // of some 4,300 allocations; a life takes 0.2 s and more
+    const int stride = test::whole_sweeps() ? 37 : 997; // of some 4,300 allocations; a life takes 0.2 s and more
     int failures = 0, seen = 0;
     for (const Failing failing : {Failing::once, Failing::from_then_on})
         for (int after = failing == Failing::once ? 0 : stride / 2, failed = 1; failed != 0; after += stride) {

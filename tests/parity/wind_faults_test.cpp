@@ -104,7 +104,7 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
     std::map<std::string, int> survived;
     int points = 0, outlived = 0, first = 0;
     // Each call fails with each of the three codes in the whole sweep, with one of them else.
-    const int stride = test::k_sanitized ? 23 : test::whole_sweeps() ? 1 : 7;
+    const int stride = test::k_sanitized ? 23 : test::whole_sweeps() ? 1 : 13;
     for (const VkResult code : {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST})
         for (int n = first++ % stride; n < calls; n += stride) {
             g_table = counted(*real);

@@ -41,7 +41,7 @@ void expect_calms(const std::string& name, Wind& wind, float cfl) {
     (void)wind.step(1e-4);
     const double largest = largest_speed(wind.field());
     Watch watch(wind);
-    const int steps = k_sanitized ? 50 : whole_sweeps() ? 10'000 : 1'000;
+    const int steps = k_sanitized ? 50 : whole_sweeps() ? 10'000 : 300;
     take_steps(watch, steps, static_cast<double>(cfl) / std::max(largest, 1.0));
     watch.judge("obstacles/" + name, {.energy = 1.001, .max = 1.5});
 }

@@ -61,6 +61,8 @@ TEST(Stillness, TheSettlingTimeBringsItToRest) {
     for (const auto& [name, boundaries] : {std::pair{"open", Boundaries{}},
                                            {"periodic", Boundaries::all(BoundaryKind::periodic)},
                                            {"walls", Boundaries::all(BoundaryKind::free_slip)}}) {
+        if (!whole_sweeps() && std::string_view(name) == "periodic") // has no boundary
+            continue;
         Wind wind = still(boundaries, 20.0f);
         start_with_noise(wind);
         Watch watch(wind);

@@ -95,7 +95,9 @@ Config raw() {
 // Those in between, and the others of the sweep, in LongUnevenSteps.
 TEST(UnevenSteps, CreateNoEnergy) {
     const int steps = k_sanitized ? 10 : 120;
-    for (const double ratio : {1.0, 1.35, 1.5, 2.0}) {
+    for (const double ratio : {1.35, 2.0, 1.0, 1.5}) {
+        if (!whole_sweeps() && ratio != 1.35 && ratio != 2.0) // even steps are HardCases'
+            continue;
         WINDROW_EXPECT_FIGURE(name_of("raw", 2.0, ratio), worst_energy(raw(), 2.0, ratio, steps), 1.001);
         WINDROW_EXPECT_FIGURE(name_of("default", 1.33, ratio), worst_energy({}, 1.33, ratio, steps), 1.001);
     }

@@ -1,5 +1,6 @@
 // Chunks of a view cover the grass once, hold every visible blade and none beyond the cut: against every blade of the field.
 #include "tests/figure.h"
+#include "tests/tier.h"
 #include "vegetation/grass/chunk_tree.h"
 #include "vegetation/tests/grass/fields.h"
 
@@ -77,7 +78,7 @@ TEST(GrassChunks, OfRandomCamerasHoldEveryBladeThatIsSeenOnce) {
     const ChunkField field;
     Random random(11);
     std::vector<Chunk> found;
-    constexpr int k_cameras = 300;
+    const int k_cameras = windrow::test::sampled(300, 80);
     std::size_t kept = 0, visible = 0, in_chunks = 0, missed = 0, twice = 0, beyond = 0;
     double largest_ratio = 0.0;
     for (int camera = 0; camera < k_cameras; ++camera) {
@@ -117,7 +118,7 @@ TEST(GrassChunks, OfRandomCamerasHoldEveryBladeThatIsSeenOnce) {
     WINDROW_EXPECT_FIGURE("grass/culling/kept_over_visible", static_cast<double>(kept) / static_cast<double>(visible), 1.3);
     windrow::test::figure("grass/culling/kept_over_visible_of_one_camera", largest_ratio);
     windrow::test::figure("grass/chunks/in_chunks_over_kept", static_cast<double>(in_chunks) / static_cast<double>(kept));
-    EXPECT_GT(visible, 100'000u);
+    EXPECT_GT(visible, 333u * static_cast<std::size_t>(k_cameras));
 }
 
 TEST(GrassChunks, AreCutByTheDistanceToTheirBoxAndComeNearestFirst) {
