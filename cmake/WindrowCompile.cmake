@@ -13,7 +13,7 @@ option(WINDROW_PORTABLE "Link the command and the library in C for any Linux wit
 # change what the library computes.
 # LIGHT: code around the library (the command, file readers). It is compiled far more often than its own loops run, and -O1 takes
 # half the time. TEST: what calls the library and compares; -Og takes five sixths of that. Results are the same: without
-# fast-math and contraction no level of optimization changes a bit.
+# fast-math and contraction no level of optimization changes a bit, except of functions of libm whose arguments are constants.
 function(windrow_compile target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "LIGHT;TEST" "" "")
   if(arg_TEST)

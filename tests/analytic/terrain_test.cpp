@@ -233,7 +233,7 @@ void walk_over_the_survey(float speed) {
     ASSERT_TRUE(ground);
     constexpr glm::ivec3 k_cells(32, 24, 32);
     constexpr double k_dt = 1.0 / 30.0, k_pace = 1.5, k_length = 1'000.0;
-    const double whole = whole_sweeps() ? 10.0 * k_length : 0.15 * k_length;
+    const double whole = whole_sweeps() ? 10.0 * k_length : 0.4 * k_length;
     const int steps = k_sanitized ? 30 : static_cast<int>(whole / k_pace / k_dt);
     Wind wind = made({.cells = k_cells,
                       .boundaries = Boundaries::open_over_floor(),

@@ -6,7 +6,7 @@ file(REMOVE_RECURSE ${WORK})
 # Each file by itself and with debug information, as outside projects compile them, takes three times as long: that is left to
 # ./dev test all.
 if(NOT "$ENV{WINDROW_TIER}" STREQUAL "all")
-  set(quick -D WINDROW_UNITY=24 -D CMAKE_CXX_FLAGS_DEBUG=-O0)
+  set(quick -D WINDROW_UNITY=8 -D CMAKE_CXX_FLAGS_DEBUG=-O0)
 endif()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -D CMAKE_CXX_COMPILER=${CXX}
   -D BUILD_SHARED_LIBS=ON -D WINDROW=${WINDROW} -D WINDROW_COUPLING=OFF -D WINDROW_VDB=OFF -D WINDROW_VULKAN=OFF -D WINDROW_IMAGES=OFF

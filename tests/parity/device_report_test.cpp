@@ -136,9 +136,9 @@ TEST_F(DeviceReport, ARunThatIsCutKeepsTheSectionsBeforeIt) {
         EXPECT_EQ(file.path().filename(), "report.json") << "no part is left";
 }
 
-// All sections, in the time of a software device.
+// All sections in whole sweeps, in the time of a software device.
 TEST_F(DeviceReport, AQuickReportHasItsFigures) {
-    // Half a minute of a software device goes to times, stories and pictures; DeviceBench, Stories and images have their parts.
+    // Half a minute of a software device goes to times, stories and pictures. The bench and Stories have the first two.
     const bool whole = test::whole_sweeps();
     std::vector<const char*> arguments{"--quick", "--seconds", whole ? "40" : "10"};
     if (!whole)

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace windrow::vulkan {
 namespace {
@@ -103,10 +104,10 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
         silent.insert("vkAllocateMemory");
     std::map<std::string, int> survived;
     int points = 0, outlived = 0, first = 0;
-    // Each call fails with each of the three codes in the whole sweep, with one of them else.
+    // Each call fails with each of the three codes in the whole sweep; else one of `stride` with each, and others with each code.
     const int stride = test::k_sanitized ? 23 : test::whole_sweeps() ? 1 : 13;
     for (const VkResult code : {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST})
-        for (int n = first++ % stride; n < calls; n += stride) {
+        for (int n = std::exchange(first, first + stride / 3 + 1) % stride; n < calls; n += stride) {
             g_table = counted(*real);
             counted_calls().fail_at = n;
             counted_calls().code = code;

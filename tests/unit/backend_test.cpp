@@ -115,7 +115,7 @@ TEST_F(OnDevice, VerifyHoldsTheCpusBounds) {
     std::vector<std::string> names = {"diffusion_modes",   "couette_implicit", "stokes_second_one_pass", "solenoidal_stays",
                                       "gradient_vanishes", "taylor_green_2d",  "force_momentum",         "source_flux"};
     const VerifySetting setting{.backend = device};
-    if (!windrow::test::whole_sweeps()) // of each kind one
+    if (!windrow::test::whole_sweeps()) // implicit systems by the first, forces by rows of WindScenarios
         names = {"diffusion_modes", "gradient_vanishes", "taylor_green_2d", "source_flux"};
     std::size_t found = 0;
     for (const VerifyCase& one : verify_cases())

@@ -105,9 +105,12 @@ double worst_tips(const Subject& of, const std::string& name, float speed, bool 
 }
 
 void expect_outside(const Subject& of, const std::string& name) {
-    for (const float speed : {0.0f, 5.0f, 10.0f, 20.0f})
+    for (const float speed : {0.0f, 5.0f, 10.0f, 20.0f}) {
+        if (speed != 20.0f && !windrow::test::whole_sweeps())
+            continue;
         WINDROW_EXPECT_FIGURE("shells/outside/" + name + "/" + std::to_string(static_cast<int>(speed)) + "_m_s/tips",
                               worst_tips(of, name, speed, true), 1e-3);
+    }
     // The measure sees strands in the body where a coat may have them.
     EXPECT_GT(worst_tips(of, name, 10.0f, false), 0.01);
 }
