@@ -17,7 +17,6 @@ constexpr const char* k_left_to_all[] = {
     "Scenes/FrameRate.*/gusts_fan:FrameRateOfASlideShow.*",               // GrassSwing, FrameRateUntouched; Golden at 6 fps
     "*PictureBackends.*/fur_ball:*PictureBackends.*/grove",               // that of the fan in gusts
     "*AirBackends.*/wolf:*AirBackends.*/wake",                            // those of the train and of the meadow
-    "*Resume.*/steady_trail",                                             // those of the grove and of the furry ball
     "*Repeat.*/grove:*Repeat.*/steady_trail:*Repeat.*/far_hills",         // those of the fan and of the slice
     "CoatGaps.TheWalkBetweenLayersClosesTheS*:CoatCost.FragmentsAPixel*", // the same walk: gaps of a plane, the order of layers
 };
