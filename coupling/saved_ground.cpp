@@ -27,7 +27,8 @@ void fields(Archive& archive, Ground& ground) {
             return;
     for (std::size_t n = 0; n < ground.texels.size(); ++n) {
         auto& texel = ground.texels[n];
-        auto &lean = ground.leans_before[n], &shown = ground.shown_before[n];
+        auto& lean = ground.leans_before[n];
+        auto& shown = ground.shown_before[n];
         archive(texel.lean, texel.velocity, texel.trail, texel.trample, lean, shown);
         if constexpr (reads)
             archive.require(within(texel.lean, k_most_lean) && within(texel.velocity, k_most_velocity) &&
