@@ -236,9 +236,6 @@ float height_at(const Ground& ground, glm::vec3 point) {
     return size.y * ground.heights->height(glm::vec2(point.x, point.z) / glm::vec2(size.x, size.z));
 }
 
-namespace {
-
-// The parts of the way from a place to another that are within a part of a ground; from more than to: none.
 glm::vec2 part_within(const GroundPart& ground, glm::vec2 from, glm::vec2 to) {
     glm::vec2 part(0.0f, 1.0f);
     const glm::vec2 way = to - from;
@@ -253,8 +250,6 @@ glm::vec2 part_within(const GroundPart& ground, glm::vec2 from, glm::vec2 to) {
     }
     return part;
 }
-
-} // namespace
 
 float least_rise(const Ground& ground, const GroundPart& part, glm::vec3 begin, glm::vec3 end) {
     const glm::vec2 over = part_within(part, {begin.x, begin.z}, {end.x, end.z});

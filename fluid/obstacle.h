@@ -238,6 +238,8 @@ struct GroundPart {
 /// [m] Least height over a part of the ground along the line between two points in its own axes, below 0 where the line is under it;
 /// infinite where no part of the line is over it. Exact: within a texel the height over a bilinear surface is a quadratic of the way.
 [[nodiscard]] WINDROW_API float least_rise(const Ground& ground, const GroundPart& part, glm::vec3 from, glm::vec3 to);
+/// The parts of the way from a place to another that are within a part of a ground; from more than to: none.
+[[nodiscard]] glm::vec2 part_within(const GroundPart& ground, glm::vec2 from, glm::vec2 to);
 /// A line that comes as near as this fraction of its length to a surface touches it.
 inline constexpr float k_touches = 1e-4f;
 /// [m] Lowest and highest of the ground within a distance of a point, or of more; where it ends, the lowest is that of its depth.

@@ -220,7 +220,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     }
     const Reach corners{reach.low, reach.high + 1};
     draw_near(view, reach, drawn);
-    const bool tight = is_tight(number);
+    const bool tight = is_tight(number, thickness_of_[number]);
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];

@@ -392,17 +392,17 @@ void Solids::reach_past_thin(float cells) {
     collect_thin();
 }
 
-void Solids::find_thicknesses() {
+void Solids::count_thicknesses() {
     thicknesses_.clear();
     thinnest_ = k_farthest_thin;
-    for (const PlacedObstacle& body : bodies_) {
+    for (std::size_t n = 0; n < bodies_.size(); ++n) {
         float coarsest = box_.cell_size;
         if (box_.rows) {
-            const Reach reach = reach_of(body, glm::ivec3(0));
+            const Reach reach = reach_of(bodies_[n], glm::ivec3(0));
             for (int face = reach.low.y; face <= reach.high.y; ++face)
                 coarsest = std::max(coarsest, box_.cell_size / box_.rows->links()[static_cast<std::size_t>(face)]);
         }
-        thicknesses_.push_back(detail::thickness(body.shape) / coarsest);
+        thicknesses_.push_back(thickness_of_[n] / coarsest);
         thinnest_ = std::min(thinnest_, thicknesses_.back());
     }
 }

@@ -92,31 +92,46 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     drawn_ = 0;
     if (drawings_.size() < bodies_.size())
         drawings_.resize(bodies_.size());
-    std::size_t from = 0;
+    std::size_t from = 0, resting = 0, stand_as_before = 0;
+    kept_.assign(bodies_.size(), 0);
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         std::size_t tries = 0;
-        find_beside(n, beside_);
         while (tries < drawings_before_.size() && !is_drawing_of(drawings_before_[from], bodies_[n])) {
             from = from + 1 < drawings_before_.size() ? from + 1 : 0;
             ++tries;
         }
+        resting += bodies_[n].moves() ? 0 : 1;
         if (tries < drawings_before_.size()) {
             take(drawings_[n], drawings_before_[from]);
             from = from + 1 < drawings_before_.size() ? from + 1 : 0;
+            kept_[n] = 1;
+            ++stand_as_before;
+        }
+    }
+    find_tiles();
+    const std::size_t resting_before = std::exchange(resting_, resting);
+    find_thicknesses(resting == stand_as_before && resting == resting_before);
+    for (std::size_t n = 0; n < bodies_.size(); ++n) {
+        const bool tight = is_tight(n, thickness_of_[n]);
+        find_beside(n, beside_);
+        if (kept_[n] != 0) {
             drawings_[n].body = bodies_[n];
-            if (still_holds(drawings_[n]) || draw_rest(n))
+            const bool as_tight = tight == is_tight(n, drawings_[n].thickness);
+            drawings_[n].thickness = thickness_of_[n];
+            if (as_tight && (still_holds(drawings_[n]) || draw_rest(n)))
                 continue;
         } else {
             take_room(drawings_[n], bodies_[n]);
         }
         drawings_[n].body = bodies_[n];
+        drawings_[n].thickness = thickness_of_[n];
         drawings_[n].beside.swap(beside_);
         draw(n);
         ++drawn_;
     }
     for (std::size_t n = bodies_.size(); n < drawings_.size(); ++n)
         drawings_[n].body.position.x = std::numeric_limits<float>::quiet_NaN();
-    find_thicknesses();
+    count_thicknesses();
     gather_faces();
     sort_faces();
     layered_.clear();
@@ -167,81 +182,7 @@ bool Solids::is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacl
 bool Solids::still_holds(const Drawing& drawing) const {
     const Reach needed = reach_of(drawing.body, needed_beyond());
     return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high)) &&
-           drawing.beside.size() == beside_.size() &&
-           std::all_of(beside_.begin(), beside_.end(), [&](const auto& tile) { return stands_in(tile, drawing.beside); });
-}
-
-void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const {
-    beside.clear();
-    if (!TiledGround::is_tile(bodies_[body]))
-        return;
-    const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
-    const float margin = beside_margin();
-    for (std::size_t other = 0; other < bodies_.size(); ++other) {
-        if (other == body || !TiledGround::is_tile(bodies_[other]))
-            continue;
-        const glm::vec3 from = bodies_[other].position - bodies_[body].position;
-        bool near = false;
-        for (int z = -images.z; z <= images.z; ++z)
-            for (int x = -images.x; x <= images.x; ++x)
-                near = near || are_within(margin, bodies_[body], bodies_[other], from + glm::vec3(x, 0, z) * box_.size());
-        if (!near)
-            continue;
-        beside.push_back(bodies_[other]);
-        beside.back().position = from;
-    }
-}
-
-// [m] Cells within it may touch two tiles.
-float Solids::beside_margin() const {
-    return 2.0f * View::k_far * box_.coarsest();
-}
-
-// Whether a tile and another one, that stands `from` [m] it, are within so many metres.
-bool Solids::are_within(float margin, const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const {
-    const detail::Extent own = detail::extent_of(tile), extent = detail::extent_of(other);
-    const glm::vec3 gap = glm::max(from + extent.low - own.high, own.low - from - extent.high);
-    return gap.x <= margin && gap.z <= margin;
-}
-
-// Whether a body closes all faces of the cells whose centres it holds. A thin tile that touches another is a part of a surface.
-bool Solids::is_tight(std::size_t number) const {
-    const PlacedObstacle& body = bodies_[number];
-    const auto& beside = drawings_[number].beside;
-    return !std::holds_alternative<Plate>(body.shape) && detail::thickness(body.shape) < k_thin_wall * box_.coarsest() &&
-           std::none_of(beside.begin(), beside.end(), [&](const PlacedObstacle& tile) {
-               return are_within(k_touch * box_.cell_size, body, tile, tile.position);
-           });
-}
-
-// Whether a tile stands in a list; rounding may have moved it a little, and changed the order.
-bool Solids::stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const {
-    return std::any_of(list.begin(), list.end(), [&](const PlacedObstacle& other) {
-        return glm::all(glm::lessThan(glm::abs(tile.position - other.position), glm::vec3(k_touch * box_.cell_size))) &&
-               tile.surface == other.surface && tile.axes == other.axes && detail::same(tile.shape, other.shape);
-    });
-}
-
-// The surface that the image of an upright ground is drawn from: of a tile with those beside it and their images.
-void Solids::collect_ground(std::size_t number, const View& view) {
-    ground_.begin(box_.cell_size, View::k_far * box_.coarsest());
-    if (!TiledGround::is_upright_ground(view.body))
-        return;
-    if (!TiledGround::is_tile(view.body)) {
-        if (std::get<Ground>(view.body.shape).beyond == Beyond::edge)
-            ground_.add(view.body, glm::vec3(0.0f), true);
-        ground_.end();
-        return;
-    }
-    const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
-    for (std::size_t other = 0; other < bodies_.size(); ++other)
-        for (int z = -2 * images.z; z <= 2 * images.z && TiledGround::is_tile(bodies_[other]); ++z)
-            for (int x = -2 * images.x; x <= 2 * images.x; ++x) {
-                const glm::vec3 between = view.from_middle_of(View(bodies_[other], glm::ivec3(x, 0, z) * box_.cells, box_));
-                if (are_within(beside_margin(), view.body, bodies_[other], -between))
-                    ground_.add(bodies_[other], between, other == number && between == glm::vec3(0.0f));
-            }
-    ground_.end();
+           drawing.beside.size() == beside_.size() && are_same_tiles(beside_, drawing.beside);
 }
 
 void Solids::take(Drawing& drawing, Drawing& before) {
@@ -303,7 +244,7 @@ bool Solids::draw_rest(std::size_t number) {
     const Reach needed = reach_of(body, needed_beyond());
     if (!TiledGround::is_upright_ground(body) || box_.boundaries.periodic(0) || box_.boundaries.periodic(1) ||
         box_.boundaries.periodic(2) || drawing.low.y > needed.low.y || drawing.high.y < needed.high.y ||
-        detail::thickness(body.shape) < k_thin_wall * box_.coarsest()) // a tile beside it changes all of it
+        is_tight(number, thickness_of_[number])) // a tile beside it changes all of it
         return false;
     const Reach most = reach_of(body, glm::ivec3(k_beyond));
     const Reach kept{glm::max(drawing.low, most.low), glm::min(drawing.high, most.high)};
@@ -434,10 +375,9 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
                 }
     };
     visit(bodies_[number], false);
-    if (TiledGround::is_tile(bodies_[number])) // of one surface
-        for (const PlacedObstacle& tile : bodies_)
-            if (TiledGround::is_tile(tile))
-                visit(tile, true);
+    if (tile_of_[number] != k_none) // of one surface
+        for (const Tile& tile : tiles_)
+            visit(bodies_[tile.body], true);
     return nearest;
 }
 

@@ -284,6 +284,7 @@ class Solids {
         };
         PlacedObstacle body;
         std::vector<PlacedObstacle> beside; ///< of a tile: the tiles that it was drawn with, placed from its own place
+        float thickness = 0.0f;             ///< [m] as thickness_of_
         glm::ivec3 low{0}, high{0};         ///< cells drawn: all that the body reaches within the box and some beyond
         detail::HostVector<Face> faces;
         detail::HostVector<Inside> inside;
@@ -327,12 +328,22 @@ class Solids {
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const;
     [[nodiscard]] bool still_holds(const Drawing& drawing) const;
+    void find_tiles();
     /// Finds the tiles whose columns may touch those of a tile; none for another body.
     void find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const;
+    [[nodiscard]] bool is_same_tile(const PlacedObstacle& tile, const PlacedObstacle& other) const;
+    [[nodiscard]] bool are_same_tiles(std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) const;
     [[nodiscard]] bool stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const;
     [[nodiscard]] float beside_margin() const;
-    [[nodiscard]] bool are_within(float margin, const PlacedObstacle& tile, const PlacedObstacle& other, glm::vec3 from) const;
-    [[nodiscard]] bool is_tight(std::size_t number) const;
+    /// Whether a tile and another one, that stands `from` [m] it, are within so many metres.
+    [[nodiscard]] static bool are_within(float margin, const detail::Extent& tile, const detail::Extent& other, glm::vec3 from) {
+        const glm::vec3 gap = glm::max(from + other.low - tile.high, tile.low - from - other.high);
+        return gap.x <= margin && gap.z <= margin;
+    }
+    [[nodiscard]] bool is_tight(std::size_t number, float thickness) const;
+    void find_thicknesses(bool rest_as_before);
+    [[nodiscard]] float find_thickness(std::size_t number);
+    [[nodiscard]] float row_from(glm::vec3 place, glm::vec3 way) const;
     void collect_ground(std::size_t number, const View& view);
     /// Swaps them; `before` is free then: its position is NaN.
     static void take(Drawing& drawing, Drawing& before);
@@ -378,7 +389,7 @@ class Solids {
     void collect_open_sides();
     void collect_surface();
     void collect_ghosts();
-    void find_thicknesses();
+    void count_thicknesses();
     void collect_thin();
     /// Of an inside cell toward a neighbour outside of its body; null where there is none.
     [[nodiscard]] const Drawing::Side* side_of(const InsideCell& cell, int direction) const;
@@ -434,11 +445,27 @@ class Solids {
     detail::HostVector<float> distances_,
         depths_;                         ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
-    TiledGround ground_;                 ///< scratch: of an upright ground; empty for all else
-    std::vector<TiledGround::Level> levels_, corner_levels_; ///< scratch: of the columns' centres and corners
-    std::vector<TiledGround::Owner> owners_;                 ///< scratch: of the columns
-    std::vector<PlacedObstacle> beside_;                     ///< scratch of place
-    std::vector<std::uint8_t> lacks_;                        ///< scratch of draw_rest: whether a column is to be drawn
+    struct Tile {
+        std::size_t body;
+        detail::Extent extent; ///< [m] around its middle
+        std::uint32_t kind;    ///< as TiledGround::add
+    };
+    std::vector<Tile> tiles_; ///< of ground among the bodies
+    struct NearTile {
+        const PlacedObstacle* body;
+        glm::vec3 position, low, high; ///< [m] of an image of it
+    };
+    std::vector<NearTile> near_;                                  ///< scratch
+    std::vector<float> thickness_of_;                             ///< [m] of each body; of a tile with those that it touches
+    std::size_t resting_ = 0;                                     ///< bodies at rest at the last placement
+    std::vector<std::pair<PlacedObstacle, std::uint32_t>> kinds_; ///< scratch: tiles, anywhere, to be sorted
+    std::vector<std::uint32_t> tile_of_;                          ///< of a body; k_none: it is none
+    TiledGround ground_;                                          ///< scratch: of an upright ground; empty for all else
+    std::pair<std::size_t, glm::vec3> ground_of_;                 ///< the body, and where its image is, that it was collected for
+    std::vector<TiledGround::Level> levels_, corner_levels_;      ///< scratch: of the columns' centres and corners
+    std::vector<TiledGround::Owner> owners_;                      ///< scratch: of the columns
+    std::vector<PlacedObstacle> beside_;                          ///< scratch of place
+    std::vector<std::uint8_t> kept_, lacks_; ///< scratch: whether a body has its last drawing; whether a column is to be drawn
 };
 
 template <class Visit>

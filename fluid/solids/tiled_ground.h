@@ -39,8 +39,9 @@ class TiledGround {
     /// `cell` [m]: places nearer than a thousandth of it to a tile are held by it. `far` [m]: beyond it distances from the end need not
     /// be right.
     void begin(float cell, float far);
-    /// `between`: [m] from its middle to that of the ground that is drawn. `drawn`: it is that.
-    void add(const PlacedObstacle& body, glm::vec3 between, bool drawn);
+    /// `between`: [m] from its middle to that of the ground that is drawn. `drawn`: it is that. `kind`: its number in an order of what
+    /// tiles are, equal where they are the same.
+    void add(const PlacedObstacle& body, glm::vec3 between, bool drawn, std::uint32_t kind = 0);
     /// After the last. Where several could own a place, it is the first by what they are, whatever order they were added in.
     void end();
     void clear() { tiles_.clear(); }
@@ -67,7 +68,10 @@ class TiledGround {
         detail::GroundPart whole;
         std::span<const detail::GroundPart> parts, holes; ///< of the lists of all
         glm::vec2 low, high;                              ///< holds it
+        float top;                                        ///< [m] nothing of it is higher
         bool drawn;
+        std::uint32_t kind;
+        glm::ivec2 first_bucket;
         [[nodiscard]] glm::vec3 own_place(glm::vec2 place) const {
             return to_own * (glm::vec3(place.x, 0.0f, place.y) + between);
         }
@@ -79,17 +83,35 @@ class TiledGround {
             return place.x >= low.x - distance && place.x <= high.x + distance && place.y >= low.y - distance &&
                    place.y <= high.y + distance;
         }
+        /// Beyond its edge.
+        [[nodiscard]] bool goes_on() const { return ground->beyond == Beyond::edge; }
         /// [m] Outside of it; 0: it holds the place.
         [[nodiscard]] float outside(glm::vec2 place) const;
     };
-    void find_free_corners();
+    /// Where the ground ends: a part of a tile's side, or of a hole's, beyond which no tile goes on.
+    struct End {
+        glm::vec2 from, to;
+    };
+    void sort_into_buckets();
+    void find_ends();
+    void cover(glm::vec2 begin, glm::vec2 end);
+    void add_ends(const Tile& tile, glm::vec2 from, glm::vec2 to, glm::vec2 outwards);
+    [[nodiscard]] glm::ivec2 bucket_of(glm::vec2 place) const;
+    [[nodiscard]] std::span<const std::uint32_t> bucket(glm::ivec2 at) const;
+    /// visit(tile) for each tile whose corners are within `distance` [m] of a place along each axis.
+    template <class Visit>
+    void each_near(glm::vec2 place, float distance, const Visit& visit) const;
     [[nodiscard]] float to_end(glm::vec2 place) const;
-    [[nodiscard]] bool holds(glm::vec2 place) const;
     [[nodiscard]] float beside(glm::vec3 place) const;
 
     std::vector<Tile> tiles_;
     std::vector<detail::GroundPart> parts_, holes_;
-    std::vector<glm::vec2> free_corners_;
+    std::vector<End> ends_;
+    /// Tiles by place, so that a place looks at those around it alone. Each stands in all squares that it touches.
+    glm::ivec2 buckets_{1};
+    glm::vec2 first_bucket_{0.0f}, buckets_a_metre_{0.0f};
+    std::vector<std::uint32_t> bucket_ends_, in_buckets_;
+    std::vector<glm::vec2> covered_; ///< scratch: parts of a line
     float cell_ = 1.0f, far_ = 3.0f, slack_ = 1e-3f;
 };
 

@@ -311,5 +311,49 @@ TEST(TiledGround, AWindOverTilesIsThatOverTheMap) {
     EXPECT_GT(largest_off(four.field(), {6.0f, 0.0f, 1.5f}), 1.0);
 }
 
+// A surface is as thick as it is, however small its tiles are: reads beside it pass or stop as those beside the one map do, and a wall of
+// tiles is tight. Where each tile is as thin as itself, the wind is .2 of itself off beside a plateau in tiles of 2 m, .74 beside a wall
+// of .6 m in tiles of .3 m.
+TEST(TiledGround, SmallTilesAreOneSurface) {
+    const auto surface = [](glm::vec2 size, glm::ivec2 tiles, float shift) {
+        std::vector<PlacedObstacle> all;
+        const glm::vec2 tile = size / glm::vec2(tiles);
+        const auto heights = heights_of({2, 2}, 1.0f, [](double, double) { return 4.3; });
+        for (int z = 0; z < tiles.y; ++z)
+            for (int x = 0; x < tiles.x; ++x) {
+                PlacedObstacle one;
+                one.shape = Ground{heights, {tile.x, 1.0f, tile.y}, Beyond::nothing};
+                one.position = {14.0f + shift + static_cast<float>(x) * tile.x, 0.0f,
+                                9.0f + 0.5f * shift + static_cast<float>(z) * tile.y};
+                one.slot = static_cast<std::uint32_t>(all.size());
+                all.push_back(one);
+            }
+        return all;
+    };
+    struct Case {
+        glm::vec2 size;
+        glm::ivec2 tiles;
+    };
+    double worst_face = 0.0, worst_wind = 0.0;
+    for (const auto& [size, tiles] :
+         {Case{{4.0f, 4.0f}, {2, 2}}, Case{{7.5f, 7.5f}, {12, 12}}, Case{{1.0f, 12.0f}, {1, 12}}, Case{{0.6f, 12.0f}, {2, 20}}})
+        for (const float shift : {0.0f, 0.31f, 0.77f}) {
+            const auto one = surface(size, {1, 1}, shift), many = surface(size, tiles, shift);
+            const Drawn a = drawn_from(one), b = drawn_from(many);
+            worst_face = std::max(worst_face, apart(a, b));
+            EXPECT_EQ(a.inside, b.inside) << size.x << ", " << tiles.x << ", " << shift;
+            Wind of_one = wind_over(one), of_many = wind_over(many);
+            for (int n = 0; n < 12; ++n) {
+                of_one.step(1.0 / 60.0);
+                of_many.step(1.0 / 60.0);
+            }
+            worst_wind = std::max(worst_wind, largest_apart(of_one.field(), of_many.field()) / 6.0);
+        }
+    figure("tiled_ground/small_tiles_off_one_map", worst_face);
+    figure("tiled_ground/wind_over_small_tiles", worst_wind);
+    EXPECT_LE(worst_face, 3e-3); // places of bodies are rounded to a fourth of 1e-3
+    EXPECT_LE(worst_wind, 3e-3);
+}
+
 } // namespace
 } // namespace windrow

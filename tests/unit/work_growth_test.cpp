@@ -257,5 +257,21 @@ TEST(WorkGrowth, OfBodiesThatMoveInOneBox) {
         });
 }
 
+// Each tile is drawn beside those around it alone, and none looks at all others more than once.
+TEST(WorkGrowth, OfTilesOfGround) {
+    const auto map = HeightMap::create({.corners = {2, 2}, .spacing = 1.0f, .heights = {0.4f, 0.6f, 0.5f, 0.7f}});
+    ASSERT_TRUE(map) << map.error();
+    expect_even_growth("tiles", 256, [&](int n) {
+        return [&map, n] {
+            Wind wind = test::made({.cells = {34, 8, 34}, .boundaries = Boundaries::open_over_floor()});
+            for (int tile = 0; tile < n; ++tile)
+                ASSERT_TRUE(wind.obstacles().add(
+                    {.position = {tile % 32 - 16, 0.0, tile / 32 - 16},
+                     .shape = Ground{.heights = *map, .scale = glm::vec3(1.0f), .beyond = Beyond::nothing}}));
+            ASSERT_TRUE(wind.step(0.01).stepped);
+        };
+    });
+}
+
 } // namespace
 } // namespace windrow::scene
