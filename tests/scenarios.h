@@ -156,6 +156,21 @@ inline std::vector<Scenario> scenarios(bool whole) {
                             if (n == 9)
                                 must(wind.obstacles().set(obstacle_id(1), scenario_parts::tile_of_hills({1, 3}, {40, 40}, 0.4)));
                         }});
+    rows.push_back({.name = "house_of_pieces", // one of which goes, and another moves away
+                    .begin =
+                        [](WindControl& wind) {
+                            for (int n = 0; n < 8; ++n)
+                                must(wind.obstacles().add({.position = glm::dvec3(n & 1, n >> 1 & 1, n >> 2) * 1.7 + 0.31,
+                                                           .shape = Block{glm::vec3(0.85f)}}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.follow(glm::dvec3(0.15, 0.0, -0.1) * (n + 1.0)));
+                            if (n == 6)
+                                must(wind.obstacles().remove(obstacle_id(7)));
+                            if (n >= 9)
+                                must(wind.obstacles().move(obstacle_id(0), glm::dvec3(0.31 - 0.05 * (n - 8), 0.31, 0.31)));
+                        }});
     rows.push_back({.name = "ground_with_holes", // a cellar and a trench
                     .begin =
                         [](WindControl& wind) {

@@ -200,11 +200,16 @@ bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 ce
            detail::blocks(view.body.shape, view.own_place(glm::vec3(cell) + 0.5f), view.own_place(glm::vec3(next) + 0.5f));
 }
 
+// Whether another piece of the whole that a body is a part of draws a cell.
+bool Solids::is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const {
+    return wholes_.is_part(number) && wholes_.is_anothers(number, view.own_place(glm::vec3(cell) + 0.5f));
+}
+
 // Adds the closed faces and the inside cells of one image of a body.
 void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offset) {
     if (drawn.count() == 0)
         return;
-    const PlacedObstacle& body = bodies_[number];
+    const PlacedObstacle& body = wholes_.of(number);
     const View view(body, offset, box_);
     const bool flat = std::holds_alternative<Plate>(body.shape);
     Reach reach = drawn;
@@ -219,7 +224,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
         measure_ground(view, reach, drawn);
     }
     const Reach corners{reach.low, reach.high + 1};
-    draw_near(view, reach, drawn);
+    draw_near(number, view, reach, drawn);
     const bool tight = is_tight(number, thickness_of_[number]);
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
@@ -232,7 +237,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
                 return; // above all that it meets
         }
         const TiledGround::Owner owner = owner_of(reach, cell);
-        if (owner == TiledGround::Owner::other)
+        if (owner == TiledGround::Owner::other || is_anothers(number, view, cell))
             return;
         const bool in = !flat && holds(away);
         const bool near = may_touch(view, reach, cell, away, k_beside);
@@ -268,7 +273,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
 }
 
 // Adds the cells that a reader finds other air in than they hold (reading.h), and those that it may take it from.
-void Solids::draw_near(const View& view, const Reach& reach, const Reach& drawn) {
+void Solids::draw_near(std::size_t number, const View& view, const Reach& reach, const Reach& drawn) {
     const float filled = 0.5f * view.coarsest;
     const glm::ivec3 size = reach.high - reach.low;
     const std::size_t strides[3] = {1, static_cast<std::size_t>(size.x), static_cast<std::size_t>(size.x) * size.y};
@@ -280,7 +285,7 @@ void Solids::draw_near(const View& view, const Reach& reach, const Reach& drawn)
             for (int axis = 0; axis < 3 && !near; ++axis)
                 near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
                        (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
-            if (near)
+            if (near && !is_anothers(number, view, cell))
                 drawn_near_.push_back({cell, away});
         }
         ++n;

@@ -110,7 +110,9 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     }
     find_tiles();
     const std::size_t resting_before = std::exchange(resting_, resting);
-    find_thicknesses(resting == stand_as_before && resting == resting_before);
+    const bool rest_as_before = resting == stand_as_before && resting == resting_before;
+    wholes_.find(bodies_, box_.cell_size, rest_as_before);
+    find_thicknesses(rest_as_before);
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         const bool tight = is_tight(n, thickness_of_[n]);
         find_beside(n, beside_);
@@ -118,13 +120,14 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
             drawings_[n].body = bodies_[n];
             const bool as_tight = tight == is_tight(n, drawings_[n].thickness);
             drawings_[n].thickness = thickness_of_[n];
-            if (as_tight && (still_holds(drawings_[n]) || draw_rest(n)))
+            if (as_tight && wholes_.is_same(wholes_.part(n), drawings_[n].part) && (still_holds(drawings_[n]) || draw_rest(n)))
                 continue;
         } else {
             take_room(drawings_[n], bodies_[n]);
         }
         drawings_[n].body = bodies_[n];
         drawings_[n].thickness = thickness_of_[n];
+        drawings_[n].part = wholes_.part(n);
         drawings_[n].beside.swap(beside_);
         draw(n);
         ++drawn_;

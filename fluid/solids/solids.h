@@ -29,6 +29,7 @@
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
 #include "fluid/solids/tiled_ground.h"
+#include "fluid/solids/wholes.h"
 
 #include <cstdint>
 #include <glm/common.hpp>
@@ -285,6 +286,7 @@ class Solids {
         PlacedObstacle body;
         std::vector<PlacedObstacle> beside; ///< of a tile: the tiles that it was drawn with, placed from its own place
         float thickness = 0.0f;             ///< [m] as thickness_of_
+        Wholes::Part part;                  ///< of what it was drawn as
         glm::ivec3 low{0}, high{0};         ///< cells drawn: all that the body reaches within the box and some beyond
         detail::HostVector<Face> faces;
         detail::HostVector<Inside> inside;
@@ -335,11 +337,6 @@ class Solids {
     [[nodiscard]] bool are_same_tiles(std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) const;
     [[nodiscard]] bool stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const;
     [[nodiscard]] float beside_margin() const;
-    /// Whether a tile and another one, that stands `from` [m] it, are within so many metres.
-    [[nodiscard]] static bool are_within(float margin, const detail::Extent& tile, const detail::Extent& other, glm::vec3 from) {
-        const glm::vec3 gap = glm::max(from + other.low - tile.high, tile.low - from - other.high);
-        return gap.x <= margin && gap.z <= margin;
-    }
     [[nodiscard]] bool is_tight(std::size_t number, float thickness) const;
     void find_thicknesses(bool rest_as_before);
     [[nodiscard]] float find_thickness(std::size_t number);
@@ -360,7 +357,8 @@ class Solids {
     [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
     void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside);
-    void draw_near(const View& view, const Reach& reach, const Reach& drawn);
+    [[nodiscard]] bool is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const;
+    void draw_near(std::size_t number, const View& view, const Reach& reach, const Reach& drawn);
     void measure(const View& view, const Reach& reach);
     void measure_ground(const View& view, Reach& reach, const Reach& drawn);
     [[nodiscard]] Column column_at(const View& view, const Reach& reach, int i, int k) const;
@@ -450,12 +448,13 @@ class Solids {
         detail::Extent extent; ///< [m] around its middle
         std::uint32_t kind;    ///< as TiledGround::add
     };
-    std::vector<Tile> tiles_; ///< of ground among the bodies
+    std::vector<Tile> tiles_;
     struct NearTile {
         const PlacedObstacle* body;
         glm::vec3 position, low, high; ///< [m] of an image of it
     };
     std::vector<NearTile> near_;                                  ///< scratch
+    Wholes wholes_;                                               ///< that the bodies are parts of
     std::vector<float> thickness_of_;                             ///< [m] of each body; of a tile with those that it touches
     std::size_t resting_ = 0;                                     ///< bodies at rest at the last placement
     std::vector<std::pair<PlacedObstacle, std::uint32_t>> kinds_; ///< scratch: tiles, anywhere, to be sorted

@@ -15,6 +15,12 @@ constexpr float k_apart_at_most = 1e-3f; // [cells] between bodies that touch
 constexpr float k_farthest_row = 16.0f;  // [cells] what is as thick counts as thicker than any read is long
 constexpr float k_row_step = 0.25f;      // [cells] a gap that is thinner may be missed
 
+// Whether a tile and another one, that stands `from` [m] it, are within so many metres.
+bool are_within(float margin, const detail::Extent& tile, const detail::Extent& other, glm::vec3 from) {
+    const glm::vec3 gap = glm::max(from + other.low - tile.high, tile.low - from - other.high);
+    return gap.x <= margin && gap.z <= margin;
+}
+
 } // namespace
 
 // The tiles among the bodies, with a number for each kind of them.
@@ -81,7 +87,7 @@ void Solids::find_thicknesses(bool rest_as_before) {
 // thin as they are, a plateau of tiles is not.
 float Solids::find_thickness(std::size_t number) {
     const PlacedObstacle& body = bodies_[number];
-    const float own = detail::thickness(body.shape), far = k_farthest_row * box_.coarsest();
+    const float own = detail::thickness(wholes_.of(number).shape), far = k_farthest_row * box_.coarsest();
     if (own >= far || tile_of_[number] == k_none)
         return own;
 
