@@ -106,5 +106,23 @@ TEST(Wholes, HaveTheWindAndTheForceOfOneBlock) {
     EXPECT_LE(worst_force, 1e-4);
 }
 
+// A wall through the whole box, whose parts come and go with it.
+TEST(Wholes, StayOneBlockWhileTheBoxMoves) {
+    const glm::vec3 size(3.4f, 4.0f, 60.0f), place(18.31f, 2.0f, 14.0f);
+    Wind winds[] = {wind_over({}), wind_over({})};
+    for (int many = 0; many < 2; ++many)
+        for (const PlacedObstacle& piece : pieces_of(size, {1, 1, many == 0 ? 1 : 7}, place))
+            ASSERT_TRUE(winds[many].obstacles().add(standing(piece, winds[many].origin())));
+    const glm::dvec3 middle = winds[0].origin() + 0.5 * glm::dvec3(winds[0].box().size());
+    for (int n = 0; n < 40; ++n)
+        for (Wind& wind : winds) {
+            ASSERT_TRUE(wind.follow(middle + glm::dvec3(0.0, 0.0, 0.3 * n)));
+            wind.step(1.0 / 60.0);
+        }
+    const double apart = largest_apart(winds[0].field(), winds[1].field()) / 6.0;
+    figure("wholes/wind_apart_while_the_box_moves", apart);
+    EXPECT_LE(apart, 1e-4);
+}
+
 } // namespace
 } // namespace windrow
