@@ -66,7 +66,8 @@ Pose turn_of(int bits) {
 
 class VoxReader {
   public:
-    VoxReader(std::string_view bytes, const std::string& name) : bytes_(std::as_bytes(std::span(bytes))), name_(name) {}
+    VoxReader(std::string_view bytes, const std::string& name)
+        : bytes_(std::as_bytes(std::span(bytes.data(), bytes.size()))), name_(name) {}
 
     Result<VoxelData> run() {
         if (bytes_.size() < 8 + k_head || letters(0) != "VOX " || letters(8) != "MAIN")

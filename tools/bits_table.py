@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """bits_table.py [--page FILE] [NAME...]: plays the stories of tests/bits on every platform and prints a table of their hashes.
 
-Each build is in build/bits/NAME: gcc and clang at -O1 and -O3 on this machine, MinGW-w64 run by Wine, GCC for ARM64 run by qemu. The
+Each build is in build/bits/NAME: gcc and clang at -O1 and -O3 on this machine, MinGW-w64 run by Wine, GCC for ARM64 run by qemu. That
+of WebAssembly, run by node, is ./dev web's. The
 hash of a row is that of all hashes that a level gives, without those of snapshots, which hold the level's name. The last column
 compares every hash, those too, with tests/bits/bits.txt. --page writes the table into FILE, between its two marks. The exit code is
 1 where a platform differs.
@@ -32,7 +33,11 @@ BUILDS = (
     ("clang-O3", "Linux x86-64", "Clang", "clang++", " -O3", STORIES_ALONE + O3 + ("-DCMAKE_CXX_COMPILER=clang++",)),
     ("windows", "Windows x86-64 (Wine)", "MinGW-w64 GCC", "x86_64-w64-mingw32-g++-posix", " -O3", O3 + toolchain("windows")),
     ("arm64", "Linux ARM64 (qemu)", "GCC", "aarch64-linux-gnu-g++", " -O3", O3 + toolchain("arm64")),
+    ("wasm", "WebAssembly (node)", "Emscripten Clang", "em++", " -Oz, SIMD", toolchain("emscripten")),
+    ("wasm-plain", "WebAssembly (node)", "Emscripten Clang", "em++", " -Oz", toolchain("emscripten") + ("-DWINDROW_WASM_SIMD=OFF",)),
 )
+# Source and build of those that are not of tests/foreign.
+ELSEWHERE = {"wasm": ("bindings/web", "build/web/simd"), "wasm-plain": ("bindings/web", "build/web/plain")}
 
 
 def run(*command):
@@ -47,8 +52,9 @@ def rows_of(text):
 
 
 def hashes_of(name, options):
-    folder = ROOT / "build/bits" / name
-    run("cmake", "-S", ROOT / "tests/foreign", "-B", folder, "-G", "Ninja", *options)
+    source, build = ELSEWHERE.get(name, ("tests/foreign", f"build/bits/{name}"))
+    folder = ROOT / build
+    run("cmake", "-S", ROOT / source, "-B", folder, "-G", "Ninja", *options)
     run("cmake", "--build", folder, "--target", "windrow_hashes", "--parallel", os.environ.get("WINDROW_JOBS", os.cpu_count()))
     return rows_of((folder / "hashes.txt").read_text())
 
@@ -60,7 +66,7 @@ def table_of(names, pinned):
         if names and name not in names:
             continue
         found = hashes_of(name, options)
-        version = run(command, "-dumpversion" if family == "Clang" else "-dumpfullversion").strip()
+        version = run(command, "-dumpversion" if "Clang" in family else "-dumpfullversion").strip()
         compiler = f"{family} {version}{level_of_code}"
         for level in dict.fromkeys(key.split("/")[0] for key in found):
             rows = {key: value for key, value in found.items() if key.startswith(level + "/")}

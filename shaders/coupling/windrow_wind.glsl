@@ -14,6 +14,9 @@
 //   + 1    sampler3D         texture of this frame: x, y, z in one (TextureSet::vectors)
 //   + 2    sampler3D         texture of the frame before
 //   + 3    storage buffer    the gust tile, 128 x 16 x 128 vec4 (GustTile::texels); any buffer of 16 bytes where there are no gusts
+// With WINDROW_ES, for GLSL ES 3.00 (WebGL 2), there are no sets and bindings: the host finds them by name. The block is WindrowBlock,
+// the textures are windrow_vectors and windrow_vectors_before, and the tile is windrow_tile_texels, a sampler3D of 128 x 16 x 128 texels
+// of floats; any texture of 1 x 1 x 1 where there are no gusts. State `precision highp float; precision highp sampler3D;` before.
 // With WINDROW_THREE_TEXTURES (TextureSet::axes) + 1, 2, 3 are x, y, z of this frame, + 4, 5, 6 of the frame before, + 7 the tile.
 //
 // Other bindings, bindless textures, and WINDROW_EXACT for float weights in place of the texture unit's: windrow_sampling.glsl,
@@ -28,7 +31,11 @@
 #define WINDROW_BINDING 0
 #endif
 
-#ifdef WINDROW_THREE_TEXTURES
+#ifdef WINDROW_ES
+uniform sampler3D windrow_vectors, windrow_vectors_before, windrow_tile_texels;
+#define WINDROW_NOW windrow_vectors
+#define WINDROW_BEFORE windrow_vectors_before
+#elif defined(WINDROW_THREE_TEXTURES)
 #define WINDROW_TILE_BINDING (WINDROW_BINDING + 7)
 layout(set = WINDROW_SET, binding = WINDROW_BINDING + 1) uniform sampler3D windrow_x;
 layout(set = WINDROW_SET, binding = WINDROW_BINDING + 2) uniform sampler3D windrow_y;
@@ -65,13 +72,21 @@ layout(set = WINDROW_SET, binding = WINDROW_BINDING + 2) uniform sampler3D windr
 #define WINDROW_BEFORE windrow_vectors_before
 #endif
 
-layout(std430, set = WINDROW_SET, binding = WINDROW_TILE_BINDING) readonly buffer WindrowTile { vec4 windrow_tile_texels[]; };
 #define WINDROW_TILE int
+#ifdef WINDROW_ES
+vec3 windrow_tile_texel(int tile, ivec3 texel) { return texelFetch(windrow_tile_texels, texel, 0).xyz; }
+#else
+layout(std430, set = WINDROW_SET, binding = WINDROW_TILE_BINDING) readonly buffer WindrowTile { vec4 windrow_tile_texels[]; };
 vec3 windrow_tile_texel(int tile, ivec3 texel) { return windrow_tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }
+#endif
 
 #include "windrow_sampling.glsl"
 
+#ifdef WINDROW_ES
+layout(std140) uniform WindrowBlock {
+#else
 layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowBlock {
+#endif
     WindrowFrame windrow_frame;
     vec4 windrow_rows[WINDROW_ROW_BLOCKS];
 };

@@ -1,0 +1,237 @@
+// The page in Chromium, as a hand and a keyboard use it: page_test.mjs BUILD [--pictures FOLDER] [--hidden SECONDS]
+//
+// BUILD is what ./dev web makes. Each claim names what a wrong page would do. Figures are printed as `[figure] name = value <= bound`.
+import fs from "node:fs";
+import path from "node:path";
+import zlib from "node:zlib";
+import {drawn, launch, open, serve} from "./browser.mjs";
+
+const [build, ...rest] = process.argv.slice(2);
+const option = (name, other) => (rest.includes(name) ? rest[rest.indexOf(name) + 1] : other);
+const pictures = option("--pictures", path.join(build, "pictures"));
+const hidden = Number(option("--hidden", "60"));
+fs.mkdirSync(pictures, {recursive: true});
+
+let failures = 0;
+function claim(holds, text) {
+    if (!holds) ++failures;
+    console.log(`${holds ? "ok    " : "FAILED"} ${text}`);
+}
+function figure(name, value, bound) {
+    console.log(`[figure] web/${name} = ${Number(value.toPrecision(4))} <= ${bound}`);
+    claim(value <= bound, `${name}: ${Number(value.toPrecision(4))} is at most ${bound}`);
+}
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+
+/** [s] CPU time of all processes below this one's browser. */
+function cpuSeconds(root) {
+    const rows = fs.readdirSync("/proc").filter((name) => /^\d+$/.test(name)).flatMap((pid) => {
+        try {
+            const words = fs.readFileSync(`/proc/${pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ");
+            return [{pid: Number(pid), parent: Number(words[1]), ticks: Number(words[11]) + Number(words[12])}];
+        } catch {
+            return [];
+        }
+    });
+    const mine = new Set([root]);
+    for (let grown = true; grown; ) {
+        grown = false;
+        for (const {pid, parent} of rows)
+            if (mine.has(parent) && !mine.has(pid)) {
+                mine.add(pid);
+                grown = true;
+            }
+    }
+    return rows.filter(({pid}) => mine.has(pid)).reduce((sum, {ticks}) => sum + ticks / 100, 0);
+}
+
+const ask = (tab, call, values = {}) => tab.evaluate(([name, rest]) => window.windrow.ask(name, rest), [call, values]);
+const velocity = async (tab, point) => (await ask(tab, "probe", {point})).velocity;
+const apart = (a, b) => Math.hypot(...a.map((x, n) => x - b[n]));
+/** Waits until the air is `seconds` further. */
+async function later(tab, seconds) {
+    const end = (await tab.evaluate(() => window.windrow.time)) + seconds;
+    await tab.waitForFunction((time) => window.windrow.time >= time, end, {timeout: 180000, polling: 50});
+}
+/** Where a point of the world is on the screen. */
+const onScreen = (tab, point) => tab.evaluate((at) => {
+    const {meadow, canvas} = window.windrow, m = meadow.toClip;
+    const [x, y, , w] = [0, 1, 2, 3].map((r) => m[r] * at[0] + m[4 + r] * at[1] + m[8 + r] * at[2] + m[12 + r]);
+    return [(0.5 + (0.5 * x) / w) * canvas.clientWidth, (0.5 - (0.5 * y) / w) * canvas.clientHeight];
+}, point);
+async function swipe(tab, from, to, steps = 12) {
+    await tab.mouse.move(...from);
+    await tab.mouse.down();
+    for (let n = 1; n <= steps; ++n) await tab.mouse.move(...from.map((x, k) => x + ((to[k] - x) * n) / steps));
+    await tab.mouse.up();
+}
+
+// What is downloaded before the first picture.
+const sizes = ["index.html", "app.js", "worker.js", "windrow.wasm"].map((name) => zlib.gzipSync(fs.readFileSync(path.join(build, "page", name)), {level: 9}).length);
+figure("page_gzipped_kb", sizes.reduce((sum, size) => sum + size, 0) / 1000, 320);
+
+const {server, address} = await serve(path.join(build, "page"));
+const browser = await launch();
+const tabs = [];
+const show = async (query, size) => {
+    const opened = await open(browser, address + query, size);
+    tabs.push(opened);
+    return opened.tab;
+};
+try {
+    // --- first picture, costs ------------------------------------------------------------------------------------------
+    let tab = await show("?quality=1");
+    figure("first_picture_s", (await drawn(tab)) / 1000, 3);
+    await later(tab, 0.5);
+    const root = process.pid;
+    const count = () => tab.evaluate(() => window.windrow.frames);
+    const [frames, before] = [await count(), cpuSeconds(root)];
+    const script = [], packed = [], uploads = [];
+    for (let n = 0; n < 12; ++n) {
+        const last = await count();
+        await tab.waitForFunction((k) => window.windrow.frames > k, last, {timeout: 60000});
+        const [a, b, c] = await tab.evaluate(() => [window.windrow.scriptMs, window.windrow.packMs, window.windrow.meadow.uploadMs]);
+        script.push(a + c);
+        packed.push(b);
+        uploads.push(c);
+    }
+    const blades = await tab.evaluate(() => window.windrow.meadow.blades);
+    claim(blades >= 20000, `${blades} blades are at least 20000`);
+    figure("cpu_s_a_frame_of_23040_blades", (cpuSeconds(root) - before) / ((await count()) - frames), 1);
+    figure("main_thread_ms", median(script), 2);
+    figure("pack_and_copy_ms", median(packed) + median(uploads), 0.3);
+
+    // --- hands. A page whose strokes only bend the picture changes no velocity. -------------------------------------------
+    await tab.evaluate(() => window.windrow.load(1)); // a calm: what changes is the hand's doing
+    await later(tab, 0.2);
+    const place = [-1.5, 0.45, 3];
+    const still = await velocity(tab, place);
+    await swipe(tab, await onScreen(tab, [-3.5, 0, 3]), await onScreen(tab, [0.5, 0, 3]));
+    const near = [];
+    await tab.evaluate(() => (window.windrow.paused = true));
+    for (let x = -3.5; x <= 0.6; x += 0.5) near.push(apart(await velocity(tab, [x, 0.45, 3]), still));
+    claim(Math.max(...near) > 1, `the stroke changes the air beside it by ${Math.max(...near).toFixed(2)} m/s, more than 1`);
+    await tab.evaluate(() => (window.windrow.paused = false));
+
+    const fanAt = await tab.evaluate(() => window.windrow.objects().find(({id}) => id === "fan").at);
+    await swipe(tab, await onScreen(tab, fanAt), (await onScreen(tab, fanAt)).map((x, n) => x + [40, 60][n]));
+    await later(tab, 0.2);
+    const moved = await tab.evaluate(() => window.windrow.objects().find(({id}) => id === "fan").at);
+    claim(apart(fanAt, moved) > 0.5, `the fan was dragged by ${apart(fanAt, moved).toFixed(2)} m`);
+    const lane = await velocity(tab, [moved[0] + 1.5, 1.3, moved[2]]);
+    claim(lane[0] > 3, `it blows ${lane[0].toFixed(1)} m/s where it is now, more than 3`);
+
+    await tab.focus("#view");
+    await tab.keyboard.press("h");
+    await later(tab, 0.3);
+    const houses = await tab.evaluate(() => window.windrow.objects().filter(({kind}) => kind === "house"));
+    const inside = await velocity(tab, [houses[0].at[0], 1.2, houses[0].at[2]]);
+    claim(houses.length === 1 && Math.hypot(...inside) < 0.6, `within the house the air rests: ${Math.hypot(...inside).toFixed(2)} m/s`);
+    await tab.screenshot({path: path.join(pictures, "hands.png")});
+
+    // --- pause, step, replay. A log that leaves out an event, or one with rounded times, gives other bits. ------------------------
+    await tab.keyboard.press(" ");
+    await tab.waitForTimeout(300);
+    const held = await ask(tab, "log");
+    await tab.waitForTimeout(500);
+    claim((await ask(tab, "log")).hash === held.hash, "a paused air stays as it is, to the bit");
+    await tab.keyboard.press(".");
+    await tab.waitForTimeout(600);
+    const stepped = await ask(tab, "log");
+    claim(stepped.units - held.units === 8 && stepped.hash !== held.hash, "a single step is one tick of 1/30 s");
+    const link = await tab.evaluate(() => window.windrow.link());
+    const again = await show("?quality=0" + link.address.slice(link.address.indexOf("#")));
+    await drawn(again);
+    const replayed = await again.evaluate(() => window.windrow.replayed);
+    claim(replayed.hash === link.hash && replayed.units === link.units, `the link replays the same bits: ${replayed.hash}, ${link.address.length} letters`);
+    await again.close();
+
+    // --- undo. One that only hides the house leaves the air around it. --------------------------------------------------------------
+    await tab.keyboard.press("z");
+    await tab.waitForTimeout(500);
+    const left = await tab.evaluate(() => window.windrow.objects().filter(({kind}) => kind === "house").length);
+    const now = await ask(tab, "log");
+    claim(left === 0 && now.units < stepped.units, "undo takes the house away and the time since");
+    await tab.keyboard.press(" ");
+    await later(tab, 0.2);
+
+    // --- the keyboard alone reaches every control ------------------------------------------------------------------------------------------
+    await tab.click("[data-act=panel]");
+    await tab.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+    await tab.focus("#view");
+    const wanted = await tab.evaluate(() => [...document.querySelectorAll("button:not(:disabled), select, input, summary")].length);
+    const reached = new Set();
+    for (let n = 0; n < wanted + 4; ++n) {
+        await tab.keyboard.press("Tab");
+        reached.add(await tab.evaluate(() => {
+            const one = document.activeElement;
+            return one.name || one.id || one.dataset.act || one.dataset.show || one.textContent;
+        }));
+    }
+    claim(reached.size >= wanted, `Tab reaches ${reached.size} of ${wanted} controls`);
+
+    // --- the panel: a wrong value is red, with the library's sentence ------------------------------------------------------------------------
+    await tab.fill("[name='gusts.intensity']", "7");
+    await tab.press("[name='gusts.intensity']", "Enter");
+    await tab.waitForFunction(() => document.querySelector("[name='gusts.intensity']").closest("label").classList.contains("wrong"), null, {timeout: 20000});
+    const sentence = await tab.evaluate(() => document.querySelector("[name='gusts.intensity']").closest("label").querySelector("output").textContent);
+    claim(/intensity.*7/.test(sentence), `the panel says: ${sentence}`);
+    await tab.fill("[name='air.cells']", "0, 16, 32");
+    await tab.press("[name='air.cells']", "Enter");
+    await tab.waitForFunction(() => document.querySelector("[name='air.cells']").closest("label").classList.contains("wrong"), null, {timeout: 20000});
+    claim(true, `and: ${await tab.evaluate(() => document.querySelector("[name='air.cells']").closest("label").querySelector("output").textContent)}`);
+
+    // --- speed beside error: both curves end where README's table has them -----------------------------------------------------------------
+    await tab.click("#vortices");
+    await tab.waitForFunction(() => window.windrow.points?.filter(({time}) => time > 3.14).length === 2, null, {timeout: 180000});
+    const ends = await tab.evaluate(() => window.windrow.points.filter(({time}) => time > 3.14).map(({error}) => error));
+    claim(Math.abs(ends[0] - 0.261) < 0.002 && Math.abs(ends[1] - 0.0068) < 0.0001, `errors at t = pi: ${ends.map((x) => x.toPrecision(3)).join(" and ")}`);
+    await tab.screenshot({path: path.join(pictures, "panel.png")});
+
+    // --- a hidden tab -----------------------------------------------------------------------------------------------------------------------------------------
+    const session = await tab.context().newCDPSession(tab);
+    const asleep = await tab.evaluate(() => window.windrow.time);
+    await session.send("Page.setWebLifecycleState", {state: "frozen"});
+    await new Promise((resolve) => setTimeout(resolve, 1000 * hidden));
+    await session.send("Page.setWebLifecycleState", {state: "active"});
+    const f0 = await count();
+    await tab.waitForFunction((k) => window.windrow.frames > k + 3, f0, {timeout: 60000});
+    const gained = (await tab.evaluate(() => window.windrow.time)) - asleep;
+    claim(gained < 2, `after ${hidden} s hidden the air is ${gained.toFixed(2)} s further, less than 2`);
+
+    // --- touch: two fingers orbit, one held still blasts ---------------------------------------------------------------------------------------
+    const phone = await show("?quality=1", {width: 390, height: 844, touch: true});
+    await drawn(phone);
+    const touch = await phone.context().newCDPSession(phone);
+    const fingers = (type, ...points) => touch.send("Input.dispatchTouchEvent", {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    const yaw = await phone.evaluate(() => window.windrow.camera.yaw);
+    await fingers("touchStart", [150, 300]);
+    await fingers("touchStart", [150, 300], [250, 300]);
+    for (let n = 1; n <= 6; ++n) await fingers("touchMove", [150 + 10 * n, 300], [250 + 10 * n, 300]);
+    await fingers("touchEnd");
+    claim(Math.abs((await phone.evaluate(() => window.windrow.camera.yaw)) - yaw) > 5, "two fingers orbit");
+    await fingers("touchStart", [190, 560]);
+    await phone.waitForFunction(() => window.windrow.ask("log").then(({frames}) => frames.includes("blast")), null, {timeout: 30000, polling: 500});
+    await fingers("touchEnd");
+    claim(true, "a finger held still blasts");
+    claim(await phone.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "390 pixels are wide enough");
+    await later(phone, 0.3);
+    await phone.screenshot({path: path.join(pictures, "phone.png")});
+
+    // --- the single file, from a folder without a server --------------------------------------------------------------------------------------------
+    const single = await open(browser, "file://" + path.resolve(build, "windrow.html") + "?quality=0");
+    tabs.push(single);
+    await drawn(single.tab);
+    claim((await single.tab.evaluate(() => window.windrow.time)) >= 0, "the single file opens without a server");
+
+    for (const {messages} of tabs) for (const message of messages) claim(false, `the console says: ${message}`);
+    claim(tabs.every(({messages}) => messages.length === 0), "the console is silent");
+} catch (fault) {
+    claim(false, fault.stack);
+    for (const {messages} of tabs) console.log(messages.join("\n"));
+} finally {
+    await browser.close();
+    server.close();
+}
+console.log(failures === 0 ? "The page does what it claims." : `${failures} claims failed.`);
+process.exit(failures === 0 ? 0 : 1);

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""make_web.py BUILD: the page and the package of npm from bindings/web and the modules in BUILD/simd and BUILD/plain. ./dev web runs it.
+
+    BUILD/page       index.html, app.js, worker.js, windrow.wasm, windrow_plain.wasm: a folder of static files
+    BUILD/page/scenes  the scenes and the files that they name
+    BUILD/windrow.html one file that opens from a mail, everything inlined
+    BUILD/package    the package of npm
+
+Shaders are the page's own and those that they include, from shaders/ and vegetation/shaders, without comments. The panel's rows come
+from c_api/tables.json. --sizes prints what a visitor downloads.
+"""
+import argparse
+import base64
+import gzip
+import json
+import pathlib
+import re
+import shutil
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WEB = ROOT / "bindings/web"
+PAGE = WEB / "page"
+APP = ("made.js", "gl.js", "solids.js", "overlays.js", "meadow.js", "hands.js", "panel.js", "graph.js", "link.js", "main.js")
+WORKER = ("../package/windrow.js", "made.js", "air.js", "vortices.js", "worker.js")
+TABLES = {"Config": "air", "LogProfile": "profile", "Gusts": "gusts", "JetMotor": "fan", "PressureMotor": "blast", "WakeMotor": "stroke"}
+KINDS = {"float", "double", "int32", "uint32", "vec3", "ivec3", "dvec3", "Scheme", "Interpolation"}
+BY_HAND = ("position", "direction", "floor", "centre")
+
+
+def shader_texts():
+    """By name: the text without comments; an include is named by its path from the root, or of the page by its file."""
+    texts = {}
+
+    def take(path, name):
+        if name in texts:
+            return
+        texts[name] = ""
+        text = re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+
+        def include(found):
+            for folder, prefix in ((path.parent, True), (ROOT, False)):
+                other = (folder / found.group(1)).resolve()
+                if other.exists():
+                    known = other.name if other.parent == PAGE / "shaders" else str(other.relative_to(ROOT))
+                    take(other, known)
+                    return f'#include "{known}"'
+            sys.exit(f"{path} includes {found.group(1)}, which is nowhere")
+
+        lines = (re.sub(r"\s*//.*", "", line).strip() for line in text.splitlines())
+        texts[name] = "\n".join(re.sub(r'^#include "(.*)"$', include, line) for line in lines if line and "#extension" not in line) + "\n"
+
+    for path in sorted((PAGE / "shaders").iterdir()):
+        if path.suffix in (".vert", ".frag"):
+            take(path, path.name)
+    return texts
+
+
+def bundle(names):
+    """Modules one after the other as a plain script: no imports, no exports, no lines of comment, no indentation."""
+    text = "".join((PAGE / name).read_text(encoding="utf-8") for name in names)
+    text = re.sub(r"^import [^;]*;\n", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^export (default )?", "", text, flags=re.MULTILINE)
+    lines = (line.strip() for line in re.sub(r"^\s*/\*\*.*?\*/$", "", text, flags=re.MULTILINE | re.DOTALL).splitlines())
+    return "\n".join(line for line in lines if line and not line.startswith("//")) + "\n"
+
+
+def tables():
+    structs = json.loads((ROOT / "c_api/tables.json").read_text())["structs"]
+    return {part: [row for row in structs[name] if row["type"] in KINDS and row["name"] not in BY_HAND] for name, part in TABLES.items()}
+
+
+def scenes():
+    """What the page lists: the text of each scene as the command reads it, and how the page shows it."""
+    shown = json.loads((PAGE / "scenes.json").read_text())
+    for scene in shown:
+        scene["text"] = json.dumps(json.loads((ROOT / scene["file"]).read_text()), separators=(",", ":"))
+        scene["file"] = pathlib.Path(scene["file"]).name
+    return shown
+
+
+def files_of(shown):
+    """The files that scenes name, by name."""
+    found = {}
+    for scene in shown:
+        for name in scene.get("files", ()):
+            found[name] = (ROOT / "examples/scenes" / name).read_bytes()
+    return found
+
+
+def worker_script(build):
+    description = (build / "simd/interface.json").read_text()
+    loader = (build / "simd/windrow_page.js").read_text()
+    if loader != (build / "plain/windrow_page.js").read_text():
+        sys.exit("the loaders of the modules with and without vector instructions differ")
+    used = "".join((PAGE / name).read_text() for name in WORKER)
+    return f"{loader}\nconst INTERFACE = {pruned(description, used)};\n" + bundle(WORKER)
+
+
+def pruned(description, used):
+    """The structs that the worker makes, and what they hold; choices likewise."""
+    whole = json.loads(description)
+    words = set(re.findall(r"windrow_\w+", used)) | {name for name in whole["structs"] if name.endswith("_motor")}
+    wanted = [name for name in whole["structs"] if name in words or name.removeprefix("windrow_") in
+              ("log_profile", "gusts", "canopy", "roughness", "rows")]
+    kept = {}
+    while wanted:
+        name = wanted.pop()
+        if name not in kept:
+            kept[name] = whole["structs"][name]
+            wanted += [kind for kind, *_ in kept[name]["fields"].values() if kind in whole["structs"]]
+    return json.dumps({"structs": kept, "choices": whole["choices"]}, separators=(",", ":"))
+
+
+def app_script(shown):
+    data = {"SHADERS": shader_texts(), "TABLES": tables(), "SCENES": shown}
+    return "".join(f"const {name} = {json.dumps(value, separators=(',', ':'))};\n" for name, value in data.items()) + bundle(APP)
+
+
+def page(build):
+    folder = build / "page"
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "scenes").mkdir(parents=True)
+    shown = scenes()
+    for name, content in files_of(shown).items():
+        (folder / "scenes" / name).write_bytes(content)
+    html, style = (PAGE / "index.html").read_text(), (PAGE / "style.css").read_text()
+    app, worker = app_script(shown), worker_script(build)
+    (folder / "index.html").write_text(html.replace("/* style.css */", style))
+    (folder / "app.js").write_text(app)
+    (folder / "worker.js").write_text(worker)
+    for source, name in (("simd", "windrow.wasm"), ("plain", "windrow_plain.wasm")):
+        shutil.copy(build / source / "windrow_page.wasm", folder / name)
+    whole(build, html.replace("/* style.css */", style), app, worker, files_of(shown))
+    return folder
+
+
+def packed(content):
+    return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
+
+
+def whole(build, html, app, worker, files):
+    """One file: modules and scenes' files as gzip in base64, the worker as a text."""
+    inlined = {"windrow.wasm": packed((build / "simd/windrow_page.wasm").read_bytes()),
+               "windrow_plain.wasm": packed((build / "plain/windrow_page.wasm").read_bytes()), "worker.js": packed(worker.encode()),
+               **{f"scenes/{name}": packed(content) for name, content in files.items()}}
+    script = f"const INLINED = {json.dumps(inlined)};\n{app}".replace("</script", "<\\/script")
+    (build / "windrow.html").write_text(html.replace('<script src="app.js"></script>', f"<script>{script}</script>"))
+
+
+def sizes(folder):
+    total = 0
+    for name in ("index.html", "app.js", "worker.js", "windrow.wasm"):
+        content = (folder / name).read_bytes()
+        small = len(gzip.compress(content, 9))
+        total += small
+        print(f"{name:20} {len(content):8} bytes, {small:7} gzipped")
+    print(f"{'page':20} {'':8}        {total:7} gzipped, {total / 1000:.0f} kB")
+    return total
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--sizes", action="store_true")
+    arguments = parser.parse_args()
+    folder = page(arguments.build)
+    if arguments.sizes:
+        sizes(folder)
+
+
+if __name__ == "__main__":
+    main()
