@@ -28,9 +28,10 @@ KINDS = {"float", "double", "int32", "uint32", "vec3", "ivec3", "dvec3", "Scheme
 BY_HAND = ("position", "direction", "floor", "centre")
 
 
-def shader_texts():
+def shader_texts(wanted=None):
     """By name: the text without comments; an include is named by its path from the root, or of the page by its file."""
     texts = {}
+    wanted = wanted or {path.name: path for path in sorted((PAGE / "shaders").iterdir()) if path.suffix in (".vert", ".frag")}
 
     def take(path, name):
         if name in texts:
@@ -50,9 +51,8 @@ def shader_texts():
         lines = (re.sub(r"\s*//.*", "", line).strip() for line in text.splitlines())
         texts[name] = "\n".join(re.sub(r'^#include "(.*)"$', include, line) for line in lines if line and "#extension" not in line) + "\n"
 
-    for path in sorted((PAGE / "shaders").iterdir()):
-        if path.suffix in (".vert", ".frag"):
-            take(path, path.name)
+    for name, path in wanted.items():
+        take(path, name)
     return texts
 
 
@@ -148,6 +148,58 @@ def whole(build, html, app, worker, files):
     (build / "windrow.html").write_text(html.replace('<script src="app.js"></script>', f"<script>{script}</script>"))
 
 
+LOADER = """// The loader of Emscripten, as a module: in node it asks for `require`.
+const node = typeof process === "object" && typeof process.versions?.node === "string";
+const require = node ? (await import("node:module")).createRequire(import.meta.url) : undefined;
+const __dirname = ".";
+"""
+INDEX = """import {Library, Wind, hasSimd, instantiate} from "./windrow.js";
+import createWindrow from "./loader.js";
+import description from "./interface.js";
+export {Library, Wind, hasSimd};
+export {default as windrow_wind_glsl} from "./wind_glsl.js";
+
+/** The library, with vector instructions where this machine has them. */
+export async function load({simd = hasSimd()} = {}) {
+    const {default: packed} = await (simd ? import("./simd.js") : import("./plain.js"));
+    const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+    const stream = new Response(bytes).body.pipeThrough(new DecompressionStream("gzip"));
+    return instantiate(createWindrow, new Uint8Array(await new Response(stream).arrayBuffer()), description);
+}
+"""
+
+
+def package(build):
+    """The package of npm: modules of JavaScript with the WebAssembly in them."""
+    folder = build / "package"
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(WEB / "package", folder)
+    loader = (build / "simd/windrow_package.js").read_text()
+    if loader != (build / "plain/windrow_package.js").read_text():
+        sys.exit("the loaders of the modules with and without vector instructions differ")
+    texts = {}
+    expand = shader_texts({"wind": ROOT / "shaders/coupling/windrow_wind.glsl"})
+
+    def whole_text(name):
+        texts[name] = True
+        return re.sub(r'^#include "(.*)"\n', lambda found: "" if found.group(1) in texts else whole_text(found.group(1)), expand[name],
+                      flags=re.MULTILINE)
+
+    modules = {"interface.js": (build / "simd/interface.json").read_text(), "wind_glsl.js": json.dumps("#define WINDROW_ES\n" + whole_text("wind")),
+               **{f"{form}.js": json.dumps(packed((build / form / "windrow_package.wasm").read_bytes())) for form in ("simd", "plain")}}
+    for name, value in modules.items():
+        (folder / name).write_text(f"export default {value};\n")
+    (folder / "loader.js").write_text(f"{LOADER}{loader}\nexport default createWindrow;\n")
+    (folder / "index.js").write_text(INDEX)
+    version = re.search(r'define WINDROW_VERSION_STRING "(.*)"', (ROOT / "fluid/version.h").read_text()).group(1)
+    described = {"name": "windrow", "version": version, "description": "The wind around a player on a voxel grid, as WebAssembly",
+                 "license": "Apache-2.0", "type": "module", "exports": {".": {"types": "./index.d.ts", "default": "./index.js"}},
+                 "types": "./index.d.ts", "sideEffects": False}
+    (folder / "package.json").write_text(json.dumps(described, indent=4) + "\n")
+    for name in ("LICENSE", "NOTICE"):
+        shutil.copy(ROOT / name, folder / name)
+
+
 def sizes(folder):
     total = 0
     for name in ("index.html", "app.js", "worker.js", "windrow.wasm"):
@@ -165,6 +217,8 @@ def main():
     parser.add_argument("--sizes", action="store_true")
     arguments = parser.parse_args()
     folder = page(arguments.build)
+    if (arguments.build / "plain/windrow_package.js").exists():
+        package(arguments.build)
     if arguments.sizes:
         sizes(folder)
 

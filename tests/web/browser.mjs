@@ -34,10 +34,10 @@ export async function open(browser, address, {width = 960, height = 540, touch =
     const messages = [];
     tab.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
     tab.on("pageerror", (fault) => messages.push(`error: ${fault.stack ?? fault.message}`));
-    await tab.goto(address);
+    await tab.goto(address, {timeout: 120000});
     return {tab, messages, context};
 }
-export async function drawn(tab, timeout = 60000) {
+export async function drawn(tab, timeout = 180000) {
     await tab.waitForFunction(() => document.documentElement.dataset.drawn !== undefined, null, {timeout});
     return Number(await tab.evaluate(() => document.documentElement.dataset.drawn));
 }

@@ -53,6 +53,11 @@ async function later(tab, seconds) {
     const end = (await tab.evaluate(() => window.windrow.time)) + seconds;
     await tab.waitForFunction((time) => window.windrow.time >= time, end, {timeout: 180000, polling: 50});
 }
+/** Waits until what keys asked for has been done: three frames, then no answer is awaited. */
+async function idle(tab) {
+    const frame = await tab.evaluate(() => window.windrow.frames);
+    await tab.waitForFunction((k) => window.windrow.frames > k + 3 && !window.windrow.busy && window.windrow.queue.length === 0, frame, {timeout: 120000});
+}
 /** Where a point of the world is on the screen. */
 const onScreen = (tab, point) => tab.evaluate((at) => {
     const {meadow, canvas} = window.windrow, m = meadow.toClip;
@@ -131,12 +136,12 @@ try {
 
     // --- pause, step, replay. A log that leaves out an event, or one with rounded times, gives other bits. ------------------------
     await tab.keyboard.press(" ");
-    await tab.waitForTimeout(300);
+    await idle(tab);
     const held = await ask(tab, "log");
-    await tab.waitForTimeout(500);
+    await tab.waitForTimeout(1000);
     claim((await ask(tab, "log")).hash === held.hash, "a paused air stays as it is, to the bit");
     await tab.keyboard.press(".");
-    await tab.waitForTimeout(600);
+    await idle(tab);
     const stepped = await ask(tab, "log");
     claim(stepped.units - held.units === 8 && stepped.hash !== held.hash, "a single step is one tick of 1/30 s");
     const link = await tab.evaluate(() => window.windrow.link());
@@ -144,11 +149,11 @@ try {
     await drawn(again);
     const replayed = await again.evaluate(() => window.windrow.replayed);
     claim(replayed.hash === link.hash && replayed.units === link.units, `the link replays the same bits: ${replayed.hash}, ${link.address.length} letters`);
-    await again.close();
+    await again.context().close();
 
     // --- undo. One that only hides the house leaves the air around it. --------------------------------------------------------------
     await tab.keyboard.press("z");
-    await tab.waitForTimeout(500);
+    await idle(tab);
     const left = await tab.evaluate(() => window.windrow.objects().filter(({kind}) => kind === "house").length);
     const now = await ask(tab, "log");
     claim(left === 0 && now.units < stepped.units, "undo takes the house away and the time since");
@@ -200,6 +205,7 @@ try {
     claim(gained < 2, `after ${hidden} s hidden the air is ${gained.toFixed(2)} s further, less than 2`);
 
     // --- touch: two fingers orbit, one held still blasts ---------------------------------------------------------------------------------------
+    await tab.context().close();
     const phone = await show("?quality=1", {width: 390, height: 844, touch: true});
     await drawn(phone);
     const touch = await phone.context().newCDPSession(phone);
@@ -217,6 +223,8 @@ try {
     claim(await phone.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "390 pixels are wide enough");
     await later(phone, 0.3);
     await phone.screenshot({path: path.join(pictures, "phone.png")});
+
+    await phone.context().close();
 
     // --- the single file, from a folder without a server --------------------------------------------------------------------------------------------
     const single = await open(browser, "file://" + path.resolve(build, "windrow.html") + "?quality=0");

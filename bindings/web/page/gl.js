@@ -8,7 +8,12 @@ export function assemble(texts, name, seen = new Set()) {
 
 export class Device {
     constructor(canvas, texts) {
-        this.gl = canvas.getContext("webgl2", {antialias: true, alpha: false, powerPreference: "high-performance"});
+        // Smooth edges cost a software device twice its time.
+        const probe = document.createElement("canvas").getContext("webgl2");
+        const software = /swiftshader|llvmpipe|software/i.test(probe?.getParameter(probe.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? 7937) ?? "");
+        probe?.getExtension("WEBGL_lose_context")?.loseContext();
+        this.software = software;
+        this.gl = canvas.getContext("webgl2", {antialias: !software, alpha: false, powerPreference: "high-performance"});
         if (!this.gl) throw new Error("This browser has no WebGL 2: open the page in a current browser.");
         const {gl} = this;
         this.texts = texts;

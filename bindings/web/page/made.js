@@ -7,8 +7,8 @@ export const FAN_HEIGHT = 1.3;
 export const MAKES = {
     fan: {kind: "jet", values: {length: 8, start_radius: 0.8, end_radius: 1.8, law: {kind: "drive", speed: 13, rate: 8}}},
     blast: {kind: "pressure", values: {radius: 2.2, speed: 22, duration: 0.35}},
-    stroke: {kind: "wake", values: {radius: 0.75, law: {kind: 1, per_metre: 6, entrainment: 1}}},
-    walker: {kind: "wake", values: {radius: 0.4, law: {kind: 1, per_metre: 6, entrainment: 1}}},
+    stroke: {kind: "wake", values: {radius: 0.75, law: {kind: "drive", per_metre: 6, entrainment: 1}}},
+    walker: {kind: "wake", values: {radius: 0.4, law: {kind: "drive", per_metre: 6, entrainment: 1}}},
 };
 
 /** Bodies of an object of a kind, from its place [m] and yaw [deg]: position, turn_deg, shape. */

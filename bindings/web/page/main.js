@@ -29,7 +29,7 @@ class Page {
         this.panel = new Panel(find("rows"), TABLES, (...change) => this.changeSetting(...change));
         const wanted = new URLSearchParams(location.search).get("quality");
         this.adapts = wanted === null;
-        this.startQuality = wanted === null ? 2 : Math.min(Math.max(Number(wanted), 0), QUALITIES.length - 1);
+        this.startQuality = wanted === null ? (this.device.software ? 0 : 2) : Math.min(Math.max(Number(wanted), 0), QUALITIES.length - 1);
         this.buttons();
     }
     async begin() {

@@ -8,15 +8,15 @@ const WAVELENGTHS = [0.68, 0.55, 0.44]; // [um] of red, green, blue
 // Blades along a level's side, rows of vertices near, most pixels a CSS pixel: from a slow machine's to a quick one's.
 export const QUALITIES = [{cells: 80, rows: 3, pixels: 0.75}, {cells: 96, rows: 3, pixels: 1}, {cells: 128, rows: 7, pixels: 1.25},
     {cells: 160, rows: 7, pixels: 1.5}, {cells: 208, rows: 7, pixels: 2}];
-const GRASS = {root: [0.022, 0.045, 0.01, 0.34], tip: [0.135, 0.2, 0.038, 0.26], dry: [0.28, 0.23, 0.11, 24], through: [0.125, 0.17, 0.03, 2.5],
-    size: [0, 48, 0.75, 0.8], second: [0.075, 0.15, 0.04, 0.55], head: [0.24, 0.19, 0.1, 1], soil: [0.044, 0.046, 0.02, 0],
+const GRASS = {root: [0.022, 0.045, 0.01, 0.34], tip: [0.15, 0.225, 0.042, 0.3], dry: [0.28, 0.23, 0.11, 24], through: [0.125, 0.17, 0.03, 2.5],
+    size: [0, 48, 0.75, 0.8], second: [0.09, 0.185, 0.048, 0.55], head: [0.24, 0.19, 0.1, 1], soil: [0.044, 0.046, 0.02, 0],
     shape: [0.006, 1.15, 0.2, 0.45], clumps: [1.6, 0.35, 0.5, 0.3], patches: [0.125, 0.35, 0, 0], width: 1};
 const WHEAT = {...GRASS, root: [0.07, 0.053, 0.022, 0.24], tip: [0.28, 0.205, 0.08, 0.2], dry: [0.28, 0.205, 0.08, 16],
     through: [0.13, 0.09, 0.025, 2.5], second: [0.26, 0.19, 0.075, 0.55], head: [0.3, 0.22, 0.09, 0.8], shape: [0.0055, 1.3, 0.2, 0.35],
     clumps: [1.25, 0.12, 0.25, 0], patches: [0.083, 0.15, 0, 0]};
 const LOOKS = {GRASS, WHEAT};
 export const BLADES = {
-    GRASS: {length: 0.5, length_spread: 0.3, width: 0.011, tip_width: 0.06, taper: 2.6, along_wind: 0.8, rest_bend: 0.7, rest_bend_spread: 0.45,
+    GRASS: {length: 0.55, length_spread: 0.3, width: 0.011, tip_width: 0.06, taper: 2.6, along_wind: 0.8, rest_bend: 0.7, rest_bend_spread: 0.45,
         view_bend: 0.35},
     WHEAT: {length: 0.8, length_spread: 0.12, width: 0.01, tip_width: 0.3, rest_bend: 0.2, rest_bend_spread: 0.15, rest_curve: 0.85},
 };
@@ -26,7 +26,7 @@ export class Meadow {
         this.device = device;
         const {gl} = device;
         const shader = (name, vertex = name, fragment = name) => device.program(name, `${vertex}.vert`, `${fragment}.frag`);
-        ["blade", "ground", "solid", "line", "slice"].forEach((name) => shader(name));
+        ["blade", "ground", "solid", "tree", "line", "slice"].forEach((name) => shader(name));
         ["bend", "sky", "sky_map", "light"].forEach((name) => shader(name, "whole"));
         this.solids = new Solids(device);
         this.empty3d = device.texture3d(gl.RGBA8, [1, 1, 1], gl.NEAREST);
@@ -36,6 +36,7 @@ export class Meadow {
         this.shadowTarget = device.target([], this.shadow);
         this.bare = gl.createVertexArray();
         this.land = this.makeLand();
+        this.trees = this.makeTrees();
         this.block = new ArrayBuffer(480);
         this.numbers = new Float32Array(this.block);
         this.words = new Int32Array(this.block);
@@ -71,6 +72,24 @@ export class Meadow {
         return this.device.mesh([[new Float32Array(at), 2]], new Uint16Array(indices));
     }
 
+    // Groves between 95 and 355 m: the same in every visit.
+    makeTrees() {
+        const {gl} = this.device;
+        let state = 7;
+        const chance = () => ((state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32);
+        const rows = [];
+        for (let grove = 0; grove < 34; ++grove) {
+            const turn = 2 * Math.PI * chance(), off = 95 + 260 * chance() ** 0.8, spread = 14 + 24 * chance();
+            for (let n = 2 + Math.floor(5 * chance()); n > 0; --n)
+                rows.push(off * Math.cos(turn) + spread * (chance() - 0.5), off * Math.sin(turn) + spread * (chance() - 0.5), 7 + 7 * chance(), chance());
+        }
+        const mesh = this.device.mesh([[new Float32Array(rows), 4]]);
+        gl.bindVertexArray(mesh.array);
+        gl.vertexAttribDivisor(0, 1);
+        gl.bindVertexArray(null);
+        return mesh;
+    }
+
     // --- a scene -----------------------------------------------------------------------------------------------------
     setScene(loaded, shown, terrain) {
         const {device} = this, {gl} = device;
@@ -103,7 +122,7 @@ export class Meadow {
     }
     setLight(shown) {
         const {device} = this, {gl} = device;
-        const {elevation = 34, azimuth = 318, haze = 0.06, exposure = 0.95, fog = 0.0012, cover = [0.42, 3]} = shown.sky ?? {};
+        const {elevation = 34, azimuth = 318, haze = 0.06, exposure = 1.0, fog = 0.0012, cover = [0.42, 3]} = shown.sky ?? {};
         const [up, around] = [elevation, azimuth].map((deg) => (deg * Math.PI) / 180);
         const sun = [Math.cos(up) * Math.cos(around), Math.sin(up), Math.cos(up) * Math.sin(around), 0.00465];
         const found = device.texture2d(gl.RGBA32F, 4, 1);
@@ -223,7 +242,7 @@ export class Meadow {
         numbers.set(camera.eye, 48);
         for (let k = 0; k < 3; ++k) {
             const s = spacing * 2 ** k, side = REACH * 2 ** k;
-            numbers.set([s, side - s - 1.3 * 2 ** k, side - s, grown * [1.25, 2.1, 3.4][k]], 84 + 4 * k);
+            numbers.set([s, side - s - 1.3 * 2 ** k, side - s, grown * [1, 1.8, 3.1][k]], 84 + 4 * k);
             const lowest = [middle[0], middle[2]].map((x) => Math.floor(x / s) - this.n / 2);
             if (this.fresh) words.copyWithin(96 + 4 * k + 2, 96 + 4 * k, 96 + 4 * k + 2);
             words.set(lowest, 96 + 4 * k);
@@ -254,10 +273,15 @@ export class Meadow {
         gl.viewport(0, 0, width, height);
         gl.clear(gl.DEPTH_BUFFER_BIT);
         this.solids.draw(list, "solid", device.use("solid", shared), this.toClip);
-        this.drawBlades(shared, camera);
+        this.drawBlades(shared);
         device.use("ground", shared);
         gl.bindVertexArray(this.land.array);
         gl.drawElements(gl.TRIANGLES, this.land.count, gl.UNSIGNED_SHORT, 0);
+        if (!this.terrain) {
+            device.use("tree", shared);
+            gl.bindVertexArray(this.trees.array);
+            gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.trees.count);
+        }
         device.use("sky", shared);
         gl.depthFunc(gl.LEQUAL);
         gl.bindVertexArray(this.bare);
@@ -281,47 +305,55 @@ export class Meadow {
         this.goesOn = true;
     }
     // Tiles of 16 x 16 blades that the view may show: one call a level.
-    drawBlades(shared, camera) {
-        const {device} = this, {gl} = device;
+    drawBlades(shared) {
+        const {device, n} = this, {gl} = device;
         const places = device.use("blade", {...shared, shown: this.states[0].shown});
-        const tiles = this.n / 16;
-        const tall = this.blade[0] * 1.4;
+        const tiles = n / 16;
+        this.list ??= new Uint8Array(2 * 16 * 16);
+        const m = this.toClip;
+        this.wide = [Math.hypot(m[0], m[4], m[8]) + 1, Math.hypot(m[1], m[5], m[9]) + 1];
         for (let k = 2; k >= 0; --k) {
-            const s = ((2 * REACH) / this.n) * 2 ** k;
-            const list = [];
+            let count = 0;
             for (let j = 0; j < tiles; ++j)
-                for (let i = 0; i < tiles; ++i) if (this.tileShows(k, i, j, s, tall)) list.push(i, j);
+                for (let i = 0; i < tiles; ++i)
+                    if (this.tileShows(k, i, j)) {
+                        this.list[2 * count] = i;
+                        this.list[2 * count++ + 1] = j;
+                    }
             const {buffer, array} = this.tileLists[k];
             gl.bindVertexArray(array);
             gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-            gl.bufferData(gl.ARRAY_BUFFER, new Uint8Array(list), gl.DYNAMIC_DRAW);
+            gl.bufferData(gl.ARRAY_BUFFER, this.list, gl.DYNAMIC_DRAW, 0, 2 * count);
             gl.uniform1i(places.level_drawn, k);
             const rows = k === 0 ? QUALITIES[this.quality].rows : 3;
-            gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * rows + 1, 128 * list.length);
+            gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * rows + 1, 256 * count);
         }
     }
-    tileShows(k, i, j, s, tall) {
+    // A tile's cells wrap around the level's square, so that it has up to two parts along each axis.
+    tileShows(k, i, j) {
         const {n} = this;
-        // The tile's cells wrap around: it may be in up to four places. The middle of each part decides, with a margin.
-        const lowest = this.lowest[k];
-        const spans = [i, j].map((tile, axis) => {
-            const first = lowest[axis] + ((((16 * tile - lowest[axis]) % n) + n) % n);
-            return first + 16 <= lowest[axis] + n ? [[first, first + 16]] : [[first, lowest[axis] + n], [lowest[axis], first + 16 - n]];
-        });
-        const half = k > 0 ? REACH * 2 ** (k - 1) - 1.3 * 2 ** k : 0; // about where this level begins
-        const [mx, mz] = [this.numbers[112], this.numbers[113]];
-        for (const [x0, x1] of spans[0])
-            for (const [z0, z1] of spans[1]) {
-                const [ax, bx, az, bz] = [x0 * s, x1 * s, z0 * s, z1 * s];
-                if (k > 0 && Math.max(Math.abs(ax - mx), Math.abs(bx - mx), Math.abs(az - mz), Math.abs(bz - mz)) < 0.7 * half) continue;
-                const [cx, cz] = [0.5 * (ax + bx), 0.5 * (az + bz)];
-                const y = this.groundHeight(cx, cz) + 0.5 * tall;
-                const radius = 0.5 * Math.hypot(bx - ax, bz - az, tall) + tall + (this.terrain ? 2 : 0);
-                const [x, yy, , w] = transform(this.toClip, [cx, y, cz]);
-                const [sx, sy] = [Math.hypot(this.toClip[0], this.toClip[4], this.toClip[8]), Math.hypot(this.toClip[1], this.toClip[5], this.toClip[9])];
-                if (w > -radius && Math.abs(x) < w + radius * (sx + 1) && Math.abs(yy) < w + radius * (sy + 1)) return true;
+        const [low, up] = this.lowest[k];
+        const first = low + ((((16 * i - low) % n) + n) % n), second = up + ((((16 * j - up) % n) + n) % n);
+        for (let x = 0; x < 2; ++x) {
+            const x0 = x === 0 ? first : low, x1 = x === 0 ? Math.min(first + 16, low + n) : first + 16 - n;
+            for (let z = 0; z < 2; ++z) {
+                const z0 = z === 0 ? second : up, z1 = z === 0 ? Math.min(second + 16, up + n) : second + 16 - n;
+                if (x1 > x0 && z1 > z0 && this.partShows(k, x0, x1, z0, z1)) return true;
             }
+        }
         return false;
+    }
+    partShows(k, x0, x1, z0, z1) {
+        const s = ((2 * REACH) / this.n) * 2 ** k, m = this.toClip;
+        const mx = this.numbers[112], mz = this.numbers[113];
+        const cx = 0.5 * s * (x0 + x1), cz = 0.5 * s * (z0 + z1), half = 0.5 * s * Math.max(x1 - x0, z1 - z0);
+        const inner = k > 0 ? 0.7 * (REACH * 2 ** (k - 1) - 1.3 * 2 ** k) : 0; // where this level begins
+        if (Math.max(Math.abs(cx - mx), Math.abs(cz - mz)) + half < inner) return false;
+        const tall = 1.4 * this.blade[0], y = this.groundHeight(cx, cz) + 0.5 * tall;
+        const radius = 1.5 * half + tall + (this.terrain ? 2 : 0);
+        const w = m[3] * cx + m[7] * y + m[11] * cz + m[15];
+        return w > -radius && Math.abs(m[0] * cx + m[4] * y + m[8] * cz + m[12]) < w + radius * this.wide[0] &&
+            Math.abs(m[1] * cx + m[5] * y + m[9] * cz + m[13]) < w + radius * this.wide[1];
     }
     /** The point of the ground under a pixel, or null for the sky; and the ray. */
     pick(x, y) {

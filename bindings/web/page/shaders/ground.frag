@@ -18,6 +18,10 @@ void main() {
     float clump = windrow_place_noise((place + 512.0) / 2.3);
     float own = 0.25 + 0.25 * (windrow_place_noise((place + 512.0) / 0.5) + windrow_place_noise((place + 512.0) / 31.0));
     float dry = windrow_dryness(place + 512.0);
+    float even = clamp(distance / 70.0, 0.0, 0.85); // what is smaller than a pixel's footprint would be streaks
+    clump = mix(clump, 0.5, even);
+    own = mix(own, 0.5, even);
+    dry = mix(dry, 0.42, 0.7 * even);
     // Among the blades: soil, and the short ones that are not drawn.
     vec3 low = mix(look.soil.rgb, grass_albedo(look, 0.42, clump, own, dry), 0.35 + 0.55 * grain);
     float open = grass_open(look, 0.25);
