@@ -129,6 +129,8 @@ def page(build):
     (folder / "index.html").write_text(html.replace("/* style.css */", style))
     (folder / "app.js").write_text(app)
     (folder / "worker.js").write_text(worker)
+    for name in ("LICENSE", "NOTICE"):
+        shutil.copy(ROOT / name, folder / f"{name}.txt")
     for source, name in (("simd", "windrow.wasm"), ("plain", "windrow_plain.wasm")):
         shutil.copy(build / source / "windrow_page.wasm", folder / name)
     whole(build, html.replace("/* style.css */", style), app, worker, files_of(shown))
@@ -145,7 +147,9 @@ def whole(build, html, app, worker, files):
                "windrow_plain.wasm": packed((build / "plain/windrow_page.wasm").read_bytes()), "worker.js": packed(worker.encode()),
                **{f"scenes/{name}": packed(content) for name, content in files.items()}}
     script = f"const INLINED = {json.dumps(inlined)};\n{app}".replace("</script", "<\\/script")
-    (build / "windrow.html").write_text(html.replace('<script src="app.js"></script>', f"<script>{script}</script>"))
+    notice = (ROOT / "NOTICE").read_text().replace("--", "- -")
+    html = html.replace('<script src="app.js"></script>', f"<script>{script}</script>").replace("NOTICE.txt", "https://www.apache.org/licenses/LICENSE-2.0")
+    (build / "windrow.html").write_text(f"{html}<!--\n{notice}-->\n")
 
 
 LOADER = """// The loader of Emscripten, as a module: in node it asks for `require`.

@@ -90,6 +90,8 @@ try {
     await later(tab, 0.5);
     const root = process.pid;
     const count = () => tab.evaluate(() => window.windrow.frames);
+    // As after some seconds at 60 a second: what the browser has not compiled to the end is slower.
+    for (let n = 0; n < 300; ++n) await ask(tab, "frame", {units: 0, events: []});
     const [frames, before] = [await count(), cpuSeconds(root)];
     const script = [], packed = [], uploads = [];
     for (let n = 0; n < 12; ++n) {
@@ -195,14 +197,15 @@ try {
 
     // --- a hidden tab -----------------------------------------------------------------------------------------------------------------------------------------
     const session = await tab.context().newCDPSession(tab);
-    const asleep = await tab.evaluate(() => window.windrow.time);
+    const state = () => tab.evaluate(() => [window.windrow.time, window.windrow.frames]);
+    const asleep = await state();
     await session.send("Page.setWebLifecycleState", {state: "frozen"});
     await new Promise((resolve) => setTimeout(resolve, 1000 * hidden));
     await session.send("Page.setWebLifecycleState", {state: "active"});
-    const f0 = await count();
-    await tab.waitForFunction((k) => window.windrow.frames > k + 3, f0, {timeout: 60000});
-    const gained = (await tab.evaluate(() => window.windrow.time)) - asleep;
-    claim(gained < 2, `after ${hidden} s hidden the air is ${gained.toFixed(2)} s further, less than 2`);
+    await tab.waitForFunction((k) => window.windrow.frames > k + 3, (await state())[1], {timeout: 60000});
+    const [gained, shown] = (await state()).map((value, n) => value - asleep[n]);
+    claim(gained <= 0.1 * shown + 0.1 && gained < hidden / 2,
+        `after ${hidden} s hidden the air is ${gained.toFixed(2)} s further, in ${shown} frames of at most 0.1 s`);
 
     // --- touch: two fingers orbit, one held still blasts ---------------------------------------------------------------------------------------
     await tab.context().close();

@@ -12,7 +12,7 @@ import {FAN_HEIGHT, MAKES, UNITS_A_SECOND, bodiesOf} from "./made.js";
 const MOST_SECONDS = 0.1; // of a frame: a tab that was hidden goes on, without what it missed
 const SLOW = 0.25;
 const KINDS = {fan: {middle: FAN_HEIGHT, reach: 1.1}, stone: {middle: 0.4, reach: 1.0}, house: {middle: 1.6, reach: 2.6}, walker: {middle: 1, reach: 1}};
-const SAMPLING = {detail: 0.25, detail_length: 0.5};
+const DETAIL = {detail: 0.25, detail_length: 0.5};
 const find = (id) => document.getElementById(id);
 
 class Page {
@@ -47,6 +47,10 @@ class Page {
         await this.load(link?.scene ?? 0, {text: link?.text, frames: link?.frames, made: link?.made});
         requestAnimationFrame((now) => this.tick(now));
     }
+    /** What acts on blades: slow machines leave out the ripples that are smaller than a cell. */
+    get sampling() {
+        return this.meadow.quality < 2 ? {} : DETAIL;
+    }
     ask(call, values = {}, transfer = []) {
         const number = ++this.number;
         this.worker.postMessage({call, number, ...values}, transfer);
@@ -77,7 +81,7 @@ class Page {
         const plants = {plant: shown.plant ?? "GRASS", blade: BLADES[shown.plant ?? "GRASS"]};
         let loaded;
         try {
-            loaded = await this.ask("load", {text, files: {...this.dropped, ...files}, plants, frames, sampling: SAMPLING});
+            loaded = await this.ask("load", {text, files: {...this.dropped, ...files}, plants, frames, sampling: this.sampling});
         } finally {
             this.busy = false;
         }
@@ -226,7 +230,7 @@ class Page {
     async undo() {
         while (this.busy) await new Promise((resolve) => setTimeout(resolve, 5));
         this.busy = true;
-        const answer = await this.ask("undo", {sampling: SAMPLING}).finally(() => (this.busy = false));
+        const answer = await this.ask("undo", {sampling: this.sampling}).finally(() => (this.busy = false));
         this.moved = {};
         this.queue = [];
         this.took(answer);
@@ -297,7 +301,7 @@ class Page {
         this.begins = false;
         const want = {pressure: this.overlays.pressure && this.overlays.slices.length > 0, sleep: this.overlays.box};
         // The settings that wait are those of these events.
-        const answer = await this.ask("frame", {units, events, begins, sampling: SAMPLING, want}).finally(() => (this.busy = false));
+        const answer = await this.ask("frame", {units, events, begins, sampling: this.sampling, want}).finally(() => (this.busy = false));
         this.tickMs = answer.ms;
         this.packMs = answer.packed;
         this.took(answer);

@@ -35,6 +35,7 @@ class Run {
         const count = this.wind.cells;
         const at = library.module._malloc(16 * count);
         const field = new Float32Array(library.memory, at, 4 * count);
+        field.fill(0); // along z the air rests; memory that was used before holds anything
         this.each((index, x, y) => field.set(vortex(x, y, 0), 4 * index));
         library.call("windrow_wind_set_field", this.wind.at, at, BigInt(count));
         library.module._free(at);

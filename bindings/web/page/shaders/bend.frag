@@ -21,6 +21,11 @@ void main() {
     vec3 root = vec3(place.x, ground_height(place), place.y), up = vec3(0.0, 1.0, 0.0);
     uvec2 hash = windrow_plant_hash(windrow_grass_key(cell, seed_of(k), 0u));
 
+    float share = level_share(k, place);
+    if (share <= 0.0) { // another level's blades stand there
+        swing_now = ripple_now = shown = vec4(0.0);
+        return;
+    }
     WindrowSwing swing;
     vec4 before = texelFetch(swing_before, texel, 0), ripple = texelFetch(ripple_before, texel, 0);
     swing.bend = before.xy;
@@ -38,7 +43,7 @@ void main() {
         bend = (1.0 - trodden.z) * bend + trodden.xy;
     }
     WindrowClump clump = clump_of(place);
-    float size = level_share(k, place) * (1.0 - clumps.y * windrow_fraction(clump.chance.x * 2654435761u)) *
+    float size = share * (1.0 - clumps.y * windrow_fraction(clump.chance.x * 2654435761u)) *
                  (1.0 - patches.y * windrow_place_noise((place + 512.0) * patches.x));
     WindrowGrass faces;
     faces.clump = clumps;

@@ -26,6 +26,7 @@ layout(std140) uniform Page {
     ivec4 cells;      // x along a level's side, y rows of vertices near, z 1: blades go on from the frame before, w seed
     vec4 middle;      // xy [m] middle of the levels, z [m] radius of a pixel over its distance, w [s] time
     vec4 far;         // xy [m] middle of the hills, z from which they rise, w their height
+    vec4 air[2];      // rgb the air's light near the horizon, under the sun and opposite
 };
 
 uniform sampler2D height_texels;
@@ -68,8 +69,8 @@ vec3 fogged(vec3 radiance, vec3 p) {
     float rise = skylight.w * ray.y;
     float mean = abs(rise) < 1e-3 ? 1.0 - 0.5 * rise : (1.0 - exp(-rise)) / rise;
     float depth = sunlight.w * exp(-skylight.w * (eye.y - grid.z)) * distance * mean;
-    vec3 level_ray = normalize(vec3(ray.x, 0.08 * length(ray.xz), ray.z));
-    return mix(windrow_sky_radiance(sky, level_ray), radiance, exp(-depth));
+    float toward = 0.5 + 0.5 * dot(ray.xz, sky.sun.xz) * inversesqrt(max(dot(ray.xz, ray.xz) * dot(sky.sun.xz, sky.sun.xz), 1e-9));
+    return mix(mix(air[1].rgb, air[0].rgb, toward * toward * toward), radiance, exp(-depth));
 }
 
 vec3 toned(vec3 radiance) {
