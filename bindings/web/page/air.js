@@ -36,6 +36,7 @@ export class Air {
         this.wind.texels = library.module._malloc(8 * this.wind.cells);
         this.makes = clone(MAKES);
         this.objects = {}; // by id: kind, at, yaw, motor, bodies
+        this.placed = {}; // of the scene's own by name, once moved: at, yaw
         this.strokes = {};
         this.frames = []; // [units, events] each
         this.units = 0;
@@ -109,6 +110,7 @@ export class Air {
     // A motor of the scene keeps all but its place and, of a jet, its direction.
     moveOfScene(name, at, yaw) {
         const {library} = this;
+        this.placed[name] = {at, yaw};
         library.within(() => {
             const id = library.room(12);
             const isMotor = (this.description.motors ?? []).some((motor) => motor.name === name);
@@ -231,7 +233,7 @@ export class Air {
         this.snapshots.push({
             scene: library.bytes("windrow_scene_save", this.scene),
             ground: this.ground ? library.bytes("windrow_ground_save", this.ground) : null,
-            rest: clone({objects: this.objects, strokes: this.strokes, makes: this.makes, units: this.units, frames: this.frames}),
+            rest: clone({objects: this.objects, placed: this.placed, strokes: this.strokes, makes: this.makes, units: this.units, frames: this.frames}),
         });
         let bytes = this.snapshots.reduce((sum, one) => sum + one.scene.length, 0);
         while (bytes > SNAPSHOT_BYTES) bytes -= this.snapshots.shift().scene.length;

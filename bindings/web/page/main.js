@@ -1,7 +1,7 @@
 // The page: it owns the picture and the log of what hands did; the worker owns the air.
 import {Device, add, cross, scaled, sub, unit} from "./gl.js";
 import {Meadow, BLADES, QUALITIES} from "./meadow.js";
-import {MARKED_TINT} from "./solids.js";
+import {marking} from "./solids.js";
 import {Overlays, Field} from "./overlays.js";
 import {Hands} from "./hands.js";
 import {Panel} from "./panel.js";
@@ -18,7 +18,7 @@ const find = (id) => document.getElementById(id);
 class Page {
     constructor(shaders, scenes) {
         Object.assign(this, {scenes, canvas: find("view"), queue: [], begins: false, owed: 0, paused: false, slow: false, busy: true, number: 0,
-            waiting: new Map(), userObjects: [], made: [], session: 0, markedId: null, frames: 0, shown: null, turned: 0});
+            waiting: new Map(), userObjects: [], placed: {}, moved: {}, made: [], session: 0, markedId: null, frames: 0, shown: null, turned: 0});
         this.camera = {target: [0, 0.5, 0], distance: 7, yaw: 60, pitch: 15, view: 0.8};
         this.device = new Device(this.canvas, shaders);
         this.meadow = new Meadow(this.device);
@@ -130,7 +130,7 @@ class Page {
             middle: 0, reach: (motor.start_radius ?? 0.5) + 0.4}));
         const bodies = (this.description.obstacles ?? []).filter((body) => single(body) && !body.shape.ground).map((body) => ({id: body.name,
             kind: "body", body, at: body.position ?? [0, 0, 0], yaw: body.turn_deg?.[0] ?? 0, middle: 0, reach: reachOf(body.shape)}));
-        return [...jets, ...bodies].map((object) => ({...object, ...this.moved[object.id]}));
+        return [...jets, ...bodies].map((object) => ({...object, ...this.placed[object.id], ...this.moved[object.id]}));
     }
     objects() {
         return [...this.sceneObjects(), ...this.userObjects.map((object) => ({...object, ...KINDS[object.kind], ...this.moved[object.id]}))];
@@ -143,7 +143,7 @@ class Page {
         for (const body of this.description.obstacles ?? []) {
             const object = scene[body.name];
             list.push(...solids.ofBody(object ? {...body, position: object.at, turn_deg: [object.yaw, ...(body.turn_deg ?? [0, 0, 0]).slice(1)]} : body)
-                .map(([mesh, model, tint]) => [mesh, model, object?.id === this.markedId && object ? MARKED_TINT : tint]));
+                .map(([mesh, model, tint]) => [mesh, model, object && object.id === this.markedId ? marking(tint) : tint]));
         }
         for (const object of this.objects()) {
             const marked = object.id === this.markedId;
@@ -155,7 +155,7 @@ class Page {
             else if (object.kind !== "body")
                 bodiesOf(object.kind, object.at, object.yaw).forEach((body, n) =>
                     list.push(...solids.ofBody({...body, name: object.kind === "house" && n ? "roof" : object.kind})
-                        .map(([mesh, model, tint]) => [mesh, model, marked ? MARKED_TINT : tint])));
+                        .map(([mesh, model, tint]) => [mesh, model, marked ? marking(tint) : tint])));
         }
         return list;
     }
@@ -231,7 +231,6 @@ class Page {
         while (this.busy) await new Promise((resolve) => setTimeout(resolve, 5));
         this.busy = true;
         const answer = await this.ask("undo", {sampling: this.sampling}).finally(() => (this.busy = false));
-        this.moved = {};
         this.queue = [];
         this.took(answer);
         this.say(answer.undone ? "" : "There is nothing to undo.");
@@ -283,8 +282,9 @@ class Page {
         this.field.set(answer.halves, this.meadow.cells, this.meadow.box);
         this.time = answer.time;
         this.resting = answer.resting;
-        this.userObjects = answer.objects.map((object) => (this.moved[object.id] && this.queue.length ? {...object, ...this.moved[object.id]} : object));
-        for (const {id} of this.userObjects) delete this.moved[id];
+        this.userObjects = answer.objects;
+        this.placed = answer.placed;
+        if (this.queue.length === 0) this.moved = {}; // else what a hand still drags stays under it
         if (answer.steps !== undefined) find("undo").disabled = answer.steps === 0;
         for (const {text} of answer.faults ?? []) this.say(text, true);
         this.settled?.forEach((resolve) => resolve(answer.faults?.[0]?.text ?? null));

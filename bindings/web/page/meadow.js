@@ -27,7 +27,7 @@ export class Meadow {
         const {gl} = device;
         const shader = (name, vertex = name, fragment = name) => device.program(name, `${vertex}.vert`, `${fragment}.frag`);
         ["blade", "ground", "solid", "tree", "line", "slice"].forEach((name) => shader(name));
-        ["bend", "sky", "sky_map", "light"].forEach((name) => shader(name, "whole"));
+        ["bend", "sky", "sky_map", "light", "patches"].forEach((name) => shader(name, "whole"));
         this.solids = new Solids(device);
         this.empty3d = device.texture3d(gl.RGBA8, [1, 1, 1], gl.NEAREST);
         this.heights = device.texture2d(gl.R32F, 2, 2);
@@ -145,6 +145,7 @@ export class Meadow {
         this.numbers.set([this.box.origin[0] + this.box.size[0] / 2, this.box.origin[2] + this.box.size[2] / 2, 34, this.terrain ? 0 : 15], 116);
         this.numbers.set(texels.subarray(16, 24), 120);
         this.upload();
+        if (!this.patches) this.makePatches();
         if (!this.skyMap) this.skyMap = device.texture2d(gl.RGBA16F, 1024, 512, {filter: gl.LINEAR, wrap: gl.REPEAT});
         const map = device.target([this.skyMap]);
         const places = device.use("sky_map");
@@ -155,6 +156,21 @@ export class Meadow {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
         gl.disable(gl.SCISSOR_TEST);
         gl.deleteFramebuffer(map);
+    }
+    makePatches() {
+        const {device} = this, {gl} = device;
+        this.patches = gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D, this.patches);
+        gl.texStorage2D(gl.TEXTURE_2D, 10, gl.RGBA8, 512, 512);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+        for (const key of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, key, gl.MIRRORED_REPEAT);
+        const target = device.target([this.patches]);
+        device.use("patches");
+        gl.viewport(0, 0, 512, 512);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.deleteFramebuffer(target);
+        gl.bindTexture(gl.TEXTURE_2D, this.patches);
+        gl.generateMipmap(gl.TEXTURE_2D);
     }
     upload() {
         this.device.block("Page", this.block);
@@ -268,7 +284,7 @@ export class Meadow {
         gl.colorMask(true, true, true, true);
 
         const shared = {windrow_vectors: this.now, windrow_vectors_before: this.before, windrow_tile_texels: this.tile,
-            height_texels: this.heights, shadow_map: this.shadow, sky_map: this.skyMap, pressure: this.pressure ?? this.empty3d};
+            height_texels: this.heights, shadow_map: this.shadow, sky_map: this.skyMap, patches_map: this.patches, pressure: this.pressure ?? this.empty3d};
         if (this.fresh) this.bend(shared);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.viewport(0, 0, width, height);
@@ -326,7 +342,8 @@ export class Meadow {
             gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
             gl.bufferData(gl.ARRAY_BUFFER, this.list, gl.DYNAMIC_DRAW, 0, 2 * count);
             gl.uniform1i(places.level_drawn, k);
-            const rows = k === 0 ? QUALITIES[this.quality].rows : 3;
+            gl.uniform1i(places.few_rows, Number(k > 0 && this.quality < 2));
+            const rows = k === 0 ? QUALITIES[this.quality].rows : this.quality < 2 ? 2 : 3;
             gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * rows + 1, 256 * count);
         }
     }

@@ -111,7 +111,7 @@ export class Solids {
         this.meshes[name] = this.make(readObj(text));
     }
     ofFan(at, yaw, height, radius, turned, marked) {
-        const tint = marked ? TINTS.marked : TINTS.metal;
+        const tint = marked ? marking(TINTS.metal) : TINTS.metal;
         const hub = placed([at[0], at[1] + height, at[2]], [yaw, 0, 0]);
         const face = product(hub, placed([0, 0, 0], [0, 0, 90], [radius, radius, radius]));
         const wings = [0, 1, 2, 3].map((n) => product(product(hub, placed([0, 0, 0], [0, turned + 90 * n, 0])),
@@ -122,7 +122,7 @@ export class Solids {
     }
     ofWalker(at, marked) {
         const place = placed(at);
-        return [["cape", place, marked ? TINTS.marked : TINTS.cape], ["hat", place, TINTS.hat],
+        return [["cape", place, marked ? marking(TINTS.cape) : TINTS.cape], ["hat", place, TINTS.hat],
             ["sphere", placed([at[0], at[1] + 1.64, at[2]], [0, 0, 0], [0.11, 0.13, 0.11]), TINTS.skin],
             ...[-0.09, 0.09].map((off) => ["cylinder", placed([at[0] + off, at[1] + 0.25, at[2]], [0, 0, 0], [0.06, 0.25, 0.06]), TINTS.hat])];
     }
@@ -138,4 +138,5 @@ export class Solids {
         }
     }
 }
-export const WALL_TINT = TINTS.wall, STONE_TINT = TINTS.stone, ROOF_TINT = TINTS.roof, MARKED_TINT = TINTS.marked;
+/** A tint of what is chosen. */
+export const marking = (tint) => tint.map((x, n) => (n < 3 ? 0.65 * x + 0.35 * TINTS.marked[n] : x));

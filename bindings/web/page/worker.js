@@ -50,7 +50,7 @@ function view({units, sampling, want = {}}) {
     const block = air.wind.frameBlock([0, 0, 0], sampling);
     const packed = performance.now() - begun;
     const ground = air.groundTexels();
-    const answer = {halves, block, swing: swingSteps(units / UNITS_A_SECOND), ground, time: air.time, packed,
+    const answer = {halves, block, swing: swingSteps(units / UNITS_A_SECOND), ground, time: air.time, packed, placed: {...air.placed},
         objects: Object.entries(air.objects).map(([id, {kind, at, yaw, begun: since}]) =>
             ({id, kind, at: kind === "walker" ? air.walk({at, begun: since}, air.units) : at, yaw}))};
     if (want.pressure) answer.pressure = floats("windrow_wind_write_pressure", air.wind.cells);

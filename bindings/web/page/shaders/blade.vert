@@ -4,7 +4,7 @@
 #include "vegetation/shaders/render/blade_width.glsl"
 
 uniform sampler2D shown;
-uniform int level_drawn;
+uniform int level_drawn, few_rows;
 layout(location = 0) in vec2 tile; // of 16 x 16 cells, one for 256 blades
 out vec3 light;
 
@@ -31,6 +31,8 @@ void main() {
     float distance = length(sight);
     WindrowBladePlant plant = windrow_blade_plant(blade, up, hash, windrow_level(state.xy), sight / max(distance, 1e-6));
     vec2 row = windrow_grass_row(gl_VertexID, cells.y == 7 && k == 0 ? WINDROW_GRASS_NEAR : WINDROW_GRASS_FAR, 0.0);
+    if (few_rows == 1) // two pairs and the tip
+        row = gl_VertexID == 4 ? vec2(1.0, 0.0) : vec2(gl_VertexID < 2 ? 0.0 : 0.55, (gl_VertexID & 1) == 0 ? -1.0 : 1.0);
     float half_width = windrow_blade_half_width(blade, row.x);
     float h = row.x;
     if (look.head.w < 1.0 && h > look.head.w) { // an ear

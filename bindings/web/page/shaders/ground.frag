@@ -2,6 +2,7 @@
 // Soil between the roots; beyond the blades the meadow's own mean colour, and the waves that gusts draw in it.
 #include "plants.glsl"
 in vec3 position;
+uniform sampler2D patches_map;
 out vec4 colour;
 
 void main() {
@@ -14,14 +15,9 @@ void main() {
     float far_off = max(off.x, off.y);
     float grown = windrow_grass_ramp(far_off, level[LEVELS - 1].y - 7.0, level[LEVELS - 1].z);
     float lit = sun_fraction(position);
-    float grain = 0.6 * windrow_place_noise(place / 0.035 + 512.0) + 0.4 * windrow_place_noise(place / 0.11 + 900.0);
-    float clump = windrow_place_noise((place + 512.0) / 2.3);
-    float own = 0.25 + 0.25 * (windrow_place_noise((place + 512.0) / 0.5) + windrow_place_noise((place + 512.0) / 31.0));
-    float dry = windrow_dryness(place + 512.0);
-    float even = clamp(distance / 70.0, 0.0, 0.85); // what is smaller than a pixel's footprint would be streaks
-    clump = mix(clump, 0.5, even);
-    own = mix(own, 0.5, even);
-    dry = mix(dry, 0.42, 0.7 * even);
+    vec4 patch_ = texture(patches_map, place / 102.4);
+    float grain = 0.6 * texture(patches_map, place / 9.3).a + 0.4 * patch_.a;
+    float dry = patch_.r, clump = patch_.g, own = 0.25 + 0.5 * patch_.b;
     // Among the blades: soil, and the short ones that are not drawn.
     vec3 low = mix(look.soil.rgb, grass_albedo(look, 0.42, clump, own, dry), 0.35 + 0.55 * grain);
     float open = grass_open(look, 0.25);
@@ -30,7 +26,7 @@ void main() {
     vec3 radiance = bare;
     if (grown > 0.0) {
         vec2 lean = vec2(0.0);
-        if (distance < 120.0)
+        if (distance < 120.0 && cells.y == 7) // a slow machine leaves the far waves out
             lean = windrow_swing_held(blade_class, vec3(0.0, 1.0, 0.0), uvec2(0x80000000u), windrow_velocity(position + vec3(0.0, 0.3, 0.0)));
         vec3 leaf = grass_albedo(look, k_seen_height, clump, own, dry);
         vec3 canopy = grass_canopy_normal(look, n, lean);
