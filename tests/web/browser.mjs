@@ -10,11 +10,12 @@ const {chromium} = require(path.join(process.env.WINDROW_NODE_MODULES ?? "node_m
 const KINDS = {".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"};
 const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--no-sandbox"];
 
-export function serve(folder) {
+export function serve(root) {
+    const folder = path.resolve(root);
     const server = http.createServer((request, answer) => {
         const name = path.join(folder, decodeURIComponent(new URL(request.url, "http://x").pathname));
         const file = fs.existsSync(name) && fs.statSync(name).isDirectory() ? path.join(name, "index.html") : name;
-        if (!file.startsWith(path.resolve(folder)) || !fs.existsSync(file)) {
+        if (!file.startsWith(folder) || !fs.existsSync(file)) {
             answer.writeHead(404).end();
             return;
         }
