@@ -181,6 +181,7 @@ export class Wind {
     }
     destroy() {
         this.library.module._free(this.texels);
+        if (this.block) this.library.module._free(this.block);
         this.library.call("windrow_wind_destroy", this.at);
     }
     /** A frame of dt [s]; ticks that ran, factor between the last two, time that was dropped. */
@@ -241,12 +242,17 @@ export class Wind {
     /** windrow_frame_block of windrow_wind.glsl, relative to `anchor` [m]: 1072 bytes of a uniform buffer. */
     frameBlock(anchor = [0, 0, 0], sampling = {}) {
         const {library} = this;
-        return library.within(() => {
-            const at = library.make("windrow_frame_block");
-            library.call("windrow_wind_frame_block", this.at, library.make("windrow_dvec3", anchor),
-                library.make("windrow_sampling", sampling), at);
-            return library.module.HEAPU8.slice(at, at + library.structs.windrow_frame_block.size);
-        });
+        const key = JSON.stringify([anchor, sampling]);
+        if (!this.block) this.block = library.module._malloc(2048); // the block, the anchor, the sampling
+        const [at, place, struct] = [this.block, this.block + 1536, this.block + 1792];
+        if (this.blockOf !== key) {
+            library.write("windrow_dvec3", place, anchor);
+            library.reset("windrow_sampling", struct);
+            library.write("windrow_sampling", struct, sampling);
+            this.blockOf = key;
+        }
+        library.call("windrow_wind_frame_block", this.at, place, struct, at);
+        return library.module.HEAPU8.slice(at, at + library.structs.windrow_frame_block.size);
     }
     /** The pattern of gusts, 128 x 16 x 128 texels of four floats, or null where the wind has none. */
     gustTile() {

@@ -51,7 +51,7 @@ export class Air {
         const {library} = this;
         if (this.ground) library.call("windrow_ground_destroy", this.ground);
         library.call("windrow_scene_destroy", this.scene);
-        for (const at of [this.wind.texels, this.diagnostics, this.advanceAt]) library.module._free(at);
+        for (const at of [this.wind.texels, this.wind.block ?? 0, this.diagnostics, this.advanceAt]) library.module._free(at);
     }
     get time() {
         return this.library.call("windrow_scene_time", this.scene);
