@@ -287,8 +287,6 @@ class Page {
         if (this.queue.length === 0) this.moved = {}; // else what a hand still drags stays under it
         if (answer.steps !== undefined) find("undo").disabled = answer.steps === 0;
         for (const {text} of answer.faults ?? []) this.say(text, true);
-        this.settled?.forEach((resolve) => resolve(answer.faults?.[0]?.text ?? null));
-        this.settled = undefined;
     }
     async advance() {
         const units = this.paused && !this.oneStep ? 0 : Math.floor(this.owed);
@@ -296,15 +294,14 @@ class Page {
         this.oneStep = false;
         this.owed -= units;
         this.busy = true;
-        const [events, begins] = [this.queue, this.begins];
-        this.queue = [];
-        this.begins = false;
+        const [events, begins, settled] = [this.queue, this.begins, this.settled ?? []];
+        Object.assign(this, {queue: [], begins: false, settled: []}); // the settings that wait are those of these events
         const want = {pressure: this.overlays.pressure && this.overlays.slices.length > 0, sleep: this.overlays.box};
-        // The settings that wait are those of these events.
         const answer = await this.ask("frame", {units, events, begins, sampling: this.sampling, want}).finally(() => (this.busy = false));
         this.tickMs = answer.ms;
         this.packMs = answer.packed;
         this.took(answer);
+        for (const resolve of settled) resolve(answer.faults[0]?.text ?? null);
     }
     tick(now) {
         requestAnimationFrame((next) => this.tick(next));
@@ -312,7 +309,11 @@ class Page {
         const whole = now - (this.last ?? now);
         this.last = now;
         if (!this.paused) this.owed = Math.min(this.owed + seconds * UNITS_A_SECOND * (this.slow ? SLOW : 1), MOST_SECONDS * UNITS_A_SECOND);
-        this.advance();
+        if (!this.broken)
+            this.advance().catch((fault) => {
+                this.broken = true;
+                this.say(`The air has stopped; reload the page. ${fault.message}`, true);
+            });
         const begun = performance.now();
         this.render(seconds);
         this.scriptMs = performance.now() - begun;

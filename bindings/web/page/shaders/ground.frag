@@ -18,11 +18,14 @@ void main() {
     vec4 patch_ = texture(patches_map, place / 102.4);
     float grain = 0.6 * texture(patches_map, place / 9.3).a + 0.4 * patch_.a;
     float dry = patch_.r, clump = patch_.g, own = 0.25 + 0.5 * patch_.b;
-    // Among the blades: soil, and the short ones that are not drawn.
-    vec3 low = mix(look.soil.rgb, grass_albedo(look, 0.42, clump, own, dry), 0.35 + 0.55 * grain);
-    float open = grass_open(look, 0.25);
-    vec3 bare = low * (0.318309886 * sunlight.rgb * lit * max(dot(n, sky.sun.xyz), 0.0) * grass_self_shade(look, 0.5) +
-                       open * windrow_around(n, skylight.rgb, groundlight.rgb));
+    vec3 bare = vec3(0.0);
+    if (grown < 1.0) {
+        // Among the blades: soil, and the short ones that are not drawn.
+        vec3 low = mix(look.soil.rgb, grass_albedo(look, 0.42, clump, own, dry), 0.35 + 0.55 * grain);
+        float open = grass_open(look, 0.25);
+        bare = low * (0.318309886 * sunlight.rgb * lit * max(dot(n, sky.sun.xyz), 0.0) * grass_self_shade(look, 0.5) +
+                           open * windrow_around(n, skylight.rgb, groundlight.rgb));
+    }
     vec3 radiance = bare;
     if (grown > 0.0) {
         vec2 lean = vec2(0.0);
