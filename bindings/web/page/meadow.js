@@ -269,19 +269,22 @@ export class Meadow {
         words.set([this.n, QUALITIES[this.quality].rows, Number(this.goesOn), 7], 108);
         numbers.set([middle[0], middle[2], (0.55 * Math.tan(camera.view / 2) * 2) / height, performance.now() / 1000], 112);
         numbers[83] = this.ground ? 1 : 0;
-        const around = add(camera.target, [0, 0, 0]);
+        numbers[63] = list.length > 0 ? 1 : 0; // without bodies no shadow is drawn or looked up
+        const around = camera.target;
         const shadowView = lookAt(add(around, scaled(this.sun, 60)), around);
         const toShadow = product(orthographic(44, 44, 1, 140), shadowView);
         numbers.set(toShadow, 32);
         this.upload();
 
         gl.enable(gl.DEPTH_TEST);
-        gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
-        gl.viewport(0, 0, SHADOW_TEXELS, SHADOW_TEXELS);
-        gl.clear(gl.DEPTH_BUFFER_BIT);
-        gl.colorMask(false, false, false, false);
-        this.solids.draw(list, "solid", device.use("solid", {sky_map: this.skyMap, height_texels: this.heights}), toShadow);
-        gl.colorMask(true, true, true, true);
+        if (list.length > 0) {
+            gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
+            gl.viewport(0, 0, SHADOW_TEXELS, SHADOW_TEXELS);
+            gl.clear(gl.DEPTH_BUFFER_BIT);
+            gl.colorMask(false, false, false, false);
+            this.solids.draw(list, "solid", device.use("solid", {sky_map: this.skyMap, height_texels: this.heights}), toShadow);
+            gl.colorMask(true, true, true, true);
+        }
 
         const shared = {windrow_vectors: this.now, windrow_vectors_before: this.before, windrow_tile_texels: this.tile,
             height_texels: this.heights, shadow_map: this.shadow, sky_map: this.skyMap, patches_map: this.patches, pressure: this.pressure ?? this.empty3d};
