@@ -72,9 +72,11 @@ bool Wholes::join_along(int axis) {
             const glm::vec3& end = n % 2 == 0 ? row.low : row.high;
             row.sides[static_cast<std::size_t>(n)] = static_cast<int>(std::lround(end[(axis + 1 + n / 2) % 3] * sides_a_metre));
         }
-    std::sort(rows_.begin(), rows_.end(), [&](const Row& a, const Row& b) {
-        return std::tie(a.kind, a.sides, a.low[axis], a.first) < std::tie(b.kind, b.sides, b.low[axis], b.first);
-    });
+    const auto order = [&](const Row& row) {
+        const auto& [u_low, u_high, v_low, v_high] = row.sides;
+        return std::tuple(row.kind, u_low, u_high, v_low, v_high, row.low[axis], row.first);
+    };
+    std::sort(rows_.begin(), rows_.end(), [&](const Row& a, const Row& b) { return order(a) < order(b); });
     std::size_t count = 0;
     for (const Row& row : rows_) {
         Row* const before = count > 0 ? &rows_[count - 1] : nullptr;
