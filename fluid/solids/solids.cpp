@@ -109,10 +109,11 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         }
     }
     find_tiles();
-    const std::size_t resting_before = std::exchange(resting_, resting);
-    const bool rest_as_before = resting == stand_as_before && resting == resting_before;
+    // Not as before until all is found: memory may end.
+    const bool rest_as_before = std::exchange(resting_, k_none) == resting && resting == stand_as_before;
     wholes_.find(bodies_, box_.cell_size, rest_as_before);
     find_thicknesses(rest_as_before);
+    resting_ = resting;
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         const bool tight = is_tight(n, thickness_of_[n]);
         find_beside(n, beside_);
