@@ -304,12 +304,12 @@ float distance_to(const Shape& shape, glm::vec3 point, float most) {
     return std::visit([&](const auto& kind) { return distance(kind, point, most); }, shape);
 }
 
-glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step) {
+glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step, float most) {
     glm::vec3 rise;
     for (int axis = 0; axis < 3; ++axis) {
         glm::vec3 beside(0.0f);
         beside[axis] = step;
-        rise[axis] = distance_to(shape, point + beside) - distance_to(shape, point - beside);
+        rise[axis] = distance_to(shape, point + beside, most) - distance_to(shape, point - beside, most);
     }
     const float length = glm::length(rise);
     return length > 0.0f ? rise / length : glm::vec3(0.0f);

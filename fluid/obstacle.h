@@ -203,7 +203,9 @@ using windrow::PlacedObstacle;
 [[nodiscard]] WINDROW_API float distance_to(const Shape& shape, glm::vec3 point,
                                             float most = std::numeric_limits<float>::infinity());
 /// Unit vector out of the shape's surface at a point near it, from distances at `step` [m] on either side; zero where they are equal.
-[[nodiscard]] WINDROW_API glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
+/// `most`: as in distance_to, above any of them.
+[[nodiscard]] WINDROW_API glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step,
+                                              float most = std::numeric_limits<float>::infinity());
 /// [m] Half the size of the box along the shape's own axes, about its origin, that holds it.
 [[nodiscard]] WINDROW_API glm::vec3 half_extent(const Shape& shape);
 /// Box [m] along the world's axes that holds it, from its position.

@@ -171,6 +171,27 @@ inline std::vector<Scenario> scenarios(bool whole) {
                             if (n >= 9)
                                 must(wind.obstacles().move(obstacle_id(0), glm::dvec3(0.31 - 0.05 * (n - 8), 0.31, 0.31)));
                         }});
+    rows.push_back(
+        {.name = "house_with_a_wing", // an L whose roof overlaps it; a cart of two blocks passes its wall
+         .begin =
+             [](WindControl& wind) {
+                 const auto add = [&](glm::dvec3 low, glm::dvec3 high) {
+                     must(wind.obstacles().add({.position = 0.5 * (low + high), .shape = Block{glm::vec3(0.5 * (high - low))}}));
+                 };
+                 add({-2.3, 0.0, -2.1}, {1.7, 3.0, 0.4});
+                 add({-2.3, 0.0, 0.4}, {-0.2, 2.6, 3.9});
+                 add({-1.9, 2.5, -1.8}, {1.3, 4.2, 0.1});
+                 add({1.7, 0.0, 0.6}, {3.7, 1.0, 1.9});
+                 add({2.1, 1.0, 0.7}, {3.2, 2.2, 1.8});
+             },
+         .step =
+             [](WindControl& wind, int n) {
+                 must(wind.follow(glm::dvec3(0.15, 0.0, -0.1) * (n + 1.0)));
+                 must(wind.obstacles().move(obstacle_id(3), glm::dvec3(2.7 - 0.04 * (n + 1), 0.5, 1.25)));
+                 must(wind.obstacles().move(obstacle_id(4), glm::dvec3(2.65 - 0.04 * (n + 1), 1.6, 1.25)));
+                 if (n == 9)
+                     must(wind.obstacles().remove(obstacle_id(2)));
+             }});
     rows.push_back({.name = "ground_with_holes", // a cellar and a trench
                     .begin =
                         [](WindControl& wind) {

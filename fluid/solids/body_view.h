@@ -59,4 +59,24 @@ void Solids::Reach::for_each(const Visit& visit) const {
                 visit(glm::ivec3(i, j, k));
 }
 
+template <class Visit>
+void Solids::for_each_neighbour(const InsideCell& cell, const Visit& visit) const {
+    const std::uint32_t strides[3] = {1, static_cast<std::uint32_t>(box_.cells.x),
+                                      static_cast<std::uint32_t>(box_.cells.x * box_.cells.y)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1}) {
+            std::uint32_t other = 0;
+            const int at = cell.place[axis] + side;
+            if (at >= 0 && at < box_.cells[axis]) {
+                other = side < 0 ? cell.cell - strides[axis] : cell.cell + strides[axis];
+            } else {
+                glm::ivec3 next;
+                if (!neighbour(cell.place, axis, side, next))
+                    continue;
+                other = index(next);
+            }
+            visit(other, axis, side < 0 ? other : cell.cell);
+        }
+}
+
 } // namespace windrow

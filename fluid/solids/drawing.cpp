@@ -39,16 +39,26 @@ float negative_fraction(float a, float b, float c, float d) {
 
 } // namespace
 
-// Distances at the corners and centres of the cells.
+// Distances at the corners and centres of the cells, from the body with those that it touches.
 void Solids::measure(const View& view, const Reach& reach) {
     const Reach corners{reach.low, reach.high + 1};
     depths_.resize(reach.count());
     distances_.resize(corners.count());
+    before_.resize(together_.any_drawn_before() ? corners.count() : 0);
     std::size_t n = 0;
-    reach.for_each([&](glm::ivec3 cell) { depths_[n++] = view.distance(glm::vec3(cell) + 0.5f); });
+    reach.for_each([&](glm::ivec3 cell) { depths_[n++] = away_at(view, glm::vec3(cell) + 0.5f); });
     n = 0;
-    if (!std::holds_alternative<Plate>(view.body.shape))
-        corners.for_each([&](glm::ivec3 corner) { distances_[n++] = view.distance(corner) - k_touch; });
+    if (std::holds_alternative<Plate>(view.body.shape))
+        return;
+    corners.for_each([&](glm::ivec3 corner) {
+        if (before_.empty()) {
+            distances_[n++] = away_at(view, corner) - k_touch;
+            return;
+        }
+        const Together::Apart apart = together_.apart(view.from_middle(corner));
+        distances_[n] = apart.own / view.cell_size - k_touch;
+        before_[n++] = std::max(apart.own, apart.before) / view.cell_size - k_touch;
+    });
 }
 
 // The same over an upright ground, which has one level a column, with its columns. The reach ends above what the surface touches.
@@ -153,7 +163,8 @@ float Solids::rise_over(const View& view, const Column& column, glm::ivec3 cell,
 
 // [cells] Of a place [cells] from the surface that is drawn.
 float Solids::away_at(const View& view, glm::vec3 place) const {
-    return ground_.empty() ? view.distance(place) : ground_.away(view.from_middle(place)) / view.cell_size;
+    const glm::vec3 away = view.from_middle(place);
+    return (ground_.empty() ? together_.away(away) : ground_.away(away)) / view.cell_size;
 }
 
 TiledGround::Owner Solids::owner_of(const Reach& reach, glm::ivec3 cell) const {
@@ -197,12 +208,14 @@ bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 ce
     if (const Column* const column = column_of(reach, cell)) // no vertical line meets it between air and air
         return axis != 1 && rise_over(view, *column, cell, away) - column->crest[axis] <= detail::k_touches;
     return (ground || away < view.coarsest + k_touch) &&
-           detail::blocks(view.body.shape, view.own_place(glm::vec3(cell) + 0.5f), view.own_place(glm::vec3(next) + 0.5f));
+           together_.blocks(view.from_middle(glm::vec3(cell) + 0.5f), view.from_middle(glm::vec3(next) + 0.5f));
 }
 
-// Whether another piece of the whole that a body is a part of draws a cell.
+// Whether another piece of the whole that a body is a part of draws a cell, or another body that it touches.
 bool Solids::is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const {
-    return wholes_.is_part(number) && wholes_.is_anothers(number, view.own_place(glm::vec3(cell) + 0.5f));
+    const glm::vec3 centre = glm::vec3(cell) + 0.5f;
+    return (wholes_.is_part(number) && wholes_.is_anothers(number, view.own_place(centre))) ||
+           (ground_.empty() && together_.is_anothers(view.from_middle(centre)));
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
@@ -216,9 +229,11 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     columns_.clear();
     owners_.clear();
     collect_ground(number, view);
+    collect_together(number, view, bodies_[number].moves() ? beside_ : drawings_[number].beside);
     if (ground_.empty()) {
         measure(view, reach);
     } else {
+        before_.clear();
         reach.low -= glm::ivec3(1, 0, 1);
         reach.high += glm::ivec3(1, 0, 1);
         measure_ground(view, reach, drawn);
@@ -226,6 +241,10 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     const Reach corners{reach.low, reach.high + 1};
     draw_near(number, view, reach, drawn);
     const bool tight = is_tight(number, thickness_of_[number]);
+    const auto holds_own = [&](glm::ivec3 cell, float away) { // what was drawn before it holds none of its cells
+        return !flat && holds(away) &&
+               (before_.empty() || together_.holds_own(view.from_middle(glm::vec3(cell) + 0.5f), k_touch * view.cell_size));
+    };
     std::size_t n = 0;
     reach.for_each([&](glm::ivec3 cell) {
         const float away = depths_[n++];
@@ -237,10 +256,10 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
                 return; // above all that it meets
         }
         const TiledGround::Owner owner = owner_of(reach, cell);
-        if (owner == TiledGround::Owner::other || is_anothers(number, view, cell))
-            return;
-        const bool in = !flat && holds(away);
         const bool near = may_touch(view, reach, cell, away, k_beside);
+        if (owner == TiledGround::Owner::other || (!near && !holds(away)) || is_anothers(number, view, cell))
+            return;
+        const bool in = holds_own(cell, away);
         if (in)
             draw_inside(view, reach, cell, away, near && may_touch(view, reach, cell, away, 1.5f));
         if (!near)
@@ -252,18 +271,21 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
             if (owner == TiledGround::Owner::none &&
                 (axis == 1 || owner_of(reach, cell + glm::ivec3(step)) != TiledGround::Owner::drawn))
                 continue;
-            float closed = 0.0f;
-            if (!flat) {
+            const auto fraction = [&](const detail::HostVector<float>& distances) {
                 glm::ivec3 face = cell, one(0), other(0);
                 ++face[axis];
                 one[(axis + 1) % 3] = other[(axis + 2) % 3] = 1;
-                const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
-                closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
-            }
-            if (closed < 1.0f && tight && (in || holds(depth_at(view, reach, cell + glm::ivec3(step)))))
+                const auto at = [&](glm::ivec3 corner) { return distances[corners.index(corner)]; };
+                return negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
+            };
+            const glm::ivec3 next = cell + glm::ivec3(step);
+            float closed = flat ? 0.0f : fraction(distances_);
+            if (closed < 1.0f && tight && (in || holds_own(next, depth_at(view, reach, next))))
                 closed = 1.0f;
             if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
                 closed = 1.0f;
+            if (!before_.empty())
+                closed -= fraction(before_);
             if (!(closed > k_least_closed))
                 continue;
             const float wall = body.moves() ? closed * view.velocity(view.from_middle(centre + 0.5f * step))[axis] : 0.0f;
@@ -285,8 +307,11 @@ void Solids::draw_near(std::size_t number, const View& view, const Reach& reach,
             for (int axis = 0; axis < 3 && !near; ++axis)
                 near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
                        (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
-            if (near && !is_anothers(number, view, cell))
-                drawn_near_.push_back({cell, away});
+            if (near && !is_anothers(number, view, cell)) {
+                const bool others = away > 0.0f && !before_.empty(); // what was drawn before it has the cells near to itself
+                drawn_near_.push_back(
+                    {cell, others ? together_.own_away(view.from_middle(glm::vec3(cell) + 0.5f)) / view.cell_size : away});
+            }
         }
         ++n;
     });

@@ -4,6 +4,7 @@
 // Rows of x are cut into runs of air, and runs that share an open face are joined (union-find). A row without a body is one run,
 // so the search costs little beside the bodies themselves.
 // Based on: Tarjan & van Leeuwen 1984, Journal of the ACM 31 (union-find with path halving).
+#include "fluid/solids/body_view.h"
 #include "fluid/solids/solids.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Lists of the faces and cells at obstacles (solids.h), made from the drawings of the bodies.
 // Based on: Guendelman, Selle, Losasso & Fedkiw 2005, ACM Transactions on Graphics 24 (which cells need one-sided reads).
+#include "fluid/solids/body_view.h"
 #include "fluid/solids/solids.h"
 
 #include <algorithm>

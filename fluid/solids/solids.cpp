@@ -112,16 +112,24 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     // Not as before until all is found: memory may end.
     const bool rest_as_before = std::exchange(resting_, k_none) == resting && resting == stand_as_before;
     wholes_.find(bodies_, box_.cell_size, rest_as_before);
-    find_thicknesses(rest_as_before);
-    resting_ = resting;
+    detail::make_room(thickness_of_, bodies_.size());
+    thickness_of_.resize(bodies_.size());
+    if (!rest_as_before || resting < bodies_.size())
+        sort_by_place();
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
+        // Bodies at rest have the neighbours that they had, if each stood there before and none has gone.
+        const bool as_before = rest_as_before && kept_[n] != 0;
+        const bool looks = !as_before || std::holds_alternative<Ground>(bodies_[n].shape);
+        if (looks)
+            find_beside(n);
+        thickness_of_[n] = as_before ? drawings_[n].thickness : find_thickness(n);
         const bool tight = is_tight(n, thickness_of_[n]);
-        find_beside(n, beside_);
         if (kept_[n] != 0) {
             drawings_[n].body = bodies_[n];
             const bool as_tight = tight == is_tight(n, drawings_[n].thickness);
             drawings_[n].thickness = thickness_of_[n];
-            if (as_tight && wholes_.is_same(wholes_.part(n), drawings_[n].part) && (still_holds(drawings_[n]) || draw_rest(n)))
+            if (as_tight && wholes_.is_same(wholes_.part(n), drawings_[n].part) &&
+                (still_holds(drawings_[n], looks) || draw_rest(n)))
                 continue;
         } else {
             take_room(drawings_[n], bodies_[n]);
@@ -129,10 +137,14 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         drawings_[n].body = bodies_[n];
         drawings_[n].thickness = thickness_of_[n];
         drawings_[n].part = wholes_.part(n);
-        drawings_[n].beside.swap(beside_);
+        if (looks && tile_of_[n] != k_none)
+            drawings_[n].beside.swap(beside_);
+        else if (looks && !bodies_[n].moves())
+            drawings_[n].beside.assign(beside_.begin(), beside_.end()); // beside_ keeps its room for bodies that move
         draw(n);
         ++drawn_;
     }
+    resting_ = resting;
     for (std::size_t n = bodies_.size(); n < drawings_.size(); ++n)
         drawings_[n].body.position.x = std::numeric_limits<float>::quiet_NaN();
     count_thicknesses();
@@ -182,11 +194,11 @@ bool Solids::is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacl
     return std::max({apart.x, apart.y, apart.z}) < k_touch * box_.cell_size; // not where it was taken
 }
 
-// Whether the drawing of a body has all cells that the box has now, of a tile beside the same tiles.
-bool Solids::still_holds(const Drawing& drawing) const {
+// Whether the drawing of a body has all cells that the box has now, beside the same bodies.
+bool Solids::still_holds(const Drawing& drawing, bool looked_beside) const {
     const Reach needed = reach_of(drawing.body, needed_beyond());
     return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high)) &&
-           drawing.beside.size() == beside_.size() && are_same_tiles(beside_, drawing.beside);
+           (!looked_beside || (drawing.beside.size() == beside_.size() && are_same(beside_, drawing.beside)));
 }
 
 void Solids::take(Drawing& drawing, Drawing& before) {

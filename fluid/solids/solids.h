@@ -29,6 +29,7 @@
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
 #include "fluid/solids/tiled_ground.h"
+#include "fluid/solids/together.h"
 #include "fluid/solids/wholes.h"
 
 #include <cstdint>
@@ -284,7 +285,7 @@ class Solids {
             float away; ///< [cells]
         };
         PlacedObstacle body;
-        std::vector<PlacedObstacle> beside; ///< of a tile: the tiles that it was drawn with, placed from its own place
+        std::vector<PlacedObstacle> beside; ///< at rest: the bodies that it was drawn with, placed from its own place
         float thickness = 0.0f;             ///< [m] as thickness_of_
         Wholes::Part part;                  ///< of what it was drawn as
         glm::ivec3 low{0}, high{0};         ///< cells drawn: all that the body reaches within the box and some beyond
@@ -329,19 +330,23 @@ class Solids {
     }
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const;
-    [[nodiscard]] bool still_holds(const Drawing& drawing) const;
+    [[nodiscard]] bool still_holds(const Drawing& drawing, bool looked_beside) const;
     void find_tiles();
-    /// Finds the tiles whose columns may touch those of a tile; none for another body.
-    void find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const;
-    [[nodiscard]] bool is_same_tile(const PlacedObstacle& tile, const PlacedObstacle& other) const;
-    [[nodiscard]] bool are_same_tiles(std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) const;
-    [[nodiscard]] bool stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const;
+    void sort_by_place();
+    /// Finds what a body is drawn with: the tiles whose columns may touch those of a tile, the bodies that another one touches.
+    void find_beside(std::size_t number);
+    void find_tiles_beside(std::size_t number);
+    [[nodiscard]] static bool is_drawn_before(const PlacedObstacle& body, const PlacedObstacle& other);
+    [[nodiscard]] bool is_same(const PlacedObstacle& body, const PlacedObstacle& other) const;
+    [[nodiscard]] bool are_same(std::span<const PlacedObstacle> bodies, std::span<const PlacedObstacle> others) const;
+    [[nodiscard]] bool stands_in(const PlacedObstacle& body, std::span<const PlacedObstacle> list) const;
     [[nodiscard]] float beside_margin() const;
     [[nodiscard]] bool is_tight(std::size_t number, float thickness) const;
-    void find_thicknesses(bool rest_as_before);
     [[nodiscard]] float find_thickness(std::size_t number);
+    [[nodiscard]] float thickness_beside(std::size_t number, float most);
     [[nodiscard]] float row_from(glm::vec3 place, glm::vec3 way) const;
     void collect_ground(std::size_t number, const View& view);
+    void collect_together(std::size_t number, const View& view, std::span<const PlacedObstacle> beside);
     /// Swaps them; `before` is free then: its position is NaN.
     static void take(Drawing& drawing, Drawing& before);
     void take_room(Drawing& drawing, const PlacedObstacle& body);
@@ -440,8 +445,8 @@ class Solids {
     detail::HostVector<std::uint32_t> surface_of_;     ///< one a cell: number of a surface cell
     detail::HostVector<std::uint8_t> layers_;          ///< one a cell: layer of a ghost, or k_room
     detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
-    detail::HostVector<float> distances_,
-        depths_;                         ///< scratch [cells]: at the corners of an obstacle's cells, and at their centres
+    /// Scratch [cells]: at the corners of a body's cells, there of what it has in common with what is drawn before it, at their centres.
+    detail::HostVector<float> distances_, before_, depths_;
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
     struct Tile {
         std::size_t body;
@@ -455,6 +460,9 @@ class Solids {
     };
     std::vector<NearTile> near_;                                  ///< scratch
     Wholes wholes_;                                               ///< that the bodies are parts of
+    Together together_;                                           ///< scratch: a body with those that it touches
+    std::vector<detail::Extent> extents_;                         ///< scratch [m]: of each body, or of the whole that it is in
+    std::vector<std::uint32_t> by_place_, wide_;                  ///< scratch: bodies along x; those too wide for that
     std::vector<float> thickness_of_;                             ///< [m] of each body; of a tile with those that it touches
     std::size_t resting_ = 0;                                     ///< bodies at rest at the last placement
     std::vector<std::pair<PlacedObstacle, std::uint32_t>> kinds_; ///< scratch: tiles, anywhere, to be sorted
@@ -473,26 +481,6 @@ void Solids::for_each_near(const Visit& visit) const {
         for (const Drawing::Near& near : drawings_[body].near)
             if (glm::all(glm::greaterThanEqual(near.cell, glm::ivec3(0))) && glm::all(glm::lessThan(near.cell, box_.cells)))
                 visit(static_cast<std::uint32_t>(box_.index(near.cell.x, near.cell.y, near.cell.z)), near.cell, near.away, body);
-}
-
-template <class Visit>
-void Solids::for_each_neighbour(const InsideCell& cell, const Visit& visit) const {
-    const std::uint32_t strides[3] = {1, static_cast<std::uint32_t>(box_.cells.x),
-                                      static_cast<std::uint32_t>(box_.cells.x * box_.cells.y)};
-    for (int axis = 0; axis < 3; ++axis)
-        for (const int side : {-1, 1}) {
-            std::uint32_t other = 0;
-            const int at = cell.place[axis] + side;
-            if (at >= 0 && at < box_.cells[axis]) {
-                other = side < 0 ? cell.cell - strides[axis] : cell.cell + strides[axis];
-            } else {
-                glm::ivec3 next;
-                if (!neighbour(cell.place, axis, side, next))
-                    continue;
-                other = index(next);
-            }
-            visit(other, axis, side < 0 ? other : cell.cell);
-        }
 }
 
 } // namespace windrow

@@ -44,10 +44,7 @@ void Solids::find_tiles() {
     }
 }
 
-void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) const {
-    beside.clear();
-    if (tile_of_[body] == k_none)
-        return;
+void Solids::find_tiles_beside(std::size_t body) {
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
     const float margin = beside_margin();
     const detail::Extent& own = tiles_[tile_of_[body]].extent;
@@ -61,8 +58,8 @@ void Solids::find_beside(std::size_t body, std::vector<PlacedObstacle>& beside) 
                 near = near || are_within(margin, own, tile.extent, from + glm::vec3(x, 0, z) * box_.size());
         if (!near)
             continue;
-        beside.push_back(bodies_[tile.body]);
-        beside.back().position = from;
+        beside_.push_back(bodies_[tile.body]);
+        beside_.back().position = from;
     }
 }
 
@@ -76,20 +73,15 @@ bool Solids::is_tight(std::size_t number, float thickness) const {
     return !std::holds_alternative<Plate>(bodies_[number].shape) && thickness < k_thin_wall * box_.coarsest();
 }
 
-// Bodies at rest have the neighbours that they had, if each stood there before and none has gone.
-void Solids::find_thicknesses(bool rest_as_before) {
-    thickness_of_.resize(bodies_.size());
-    for (std::size_t n = 0; n < bodies_.size(); ++n)
-        thickness_of_[n] = rest_as_before && kept_[n] != 0 ? drawings_[n].thickness : find_thickness(n);
-}
-
-// [m] Of a body; of a tile with those that it touches in a row, along the one of its axes along which that is less: a wall of tiles is as
+// [m] Of a body with those that it touches beyond its broad sides; of a tile with those in a row, along the one of its axes along which that is less: a wall of tiles is as
 // thin as they are, a plateau of tiles is not.
 float Solids::find_thickness(std::size_t number) {
     const PlacedObstacle& body = bodies_[number];
     const float own = detail::thickness(wholes_.of(number).shape), far = k_farthest_row * box_.coarsest();
-    if (own >= far || tile_of_[number] == k_none)
+    if (own >= far)
         return own;
+    if (tile_of_[number] == k_none)
+        return own + thickness_beside(number, far - own);
 
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
     const detail::Extent& extent = tiles_[tile_of_[number]].extent;
@@ -138,24 +130,6 @@ float Solids::row_from(glm::vec3 place, glm::vec3 way) const {
     for (int halving = 0; halving < 12; ++halving)
         (depth(0.5f * (inside + next)) >= 0.0f ? inside : next) = 0.5f * (inside + next);
     return inside;
-}
-
-// Whether two lists of one length hold the same tiles: in one order, but where rounding has changed it.
-bool Solids::are_same_tiles(std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) const {
-    for (std::size_t n = 0; n < tiles.size(); ++n)
-        if (!is_same_tile(tiles[n], others[n]) && !stands_in(tiles[n], others))
-            return false;
-    return true;
-}
-
-// Whether two tiles beside another are one; rounding may have moved it a little.
-bool Solids::is_same_tile(const PlacedObstacle& tile, const PlacedObstacle& other) const {
-    return glm::all(glm::lessThan(glm::abs(tile.position - other.position), glm::vec3(k_touch * box_.cell_size))) &&
-           tile.surface == other.surface && tile.axes == other.axes && detail::same(tile.shape, other.shape);
-}
-
-bool Solids::stands_in(const PlacedObstacle& tile, std::span<const PlacedObstacle> list) const {
-    return std::any_of(list.begin(), list.end(), [&](const PlacedObstacle& other) { return is_same_tile(tile, other); });
 }
 
 // The surface that the image of an upright ground is drawn from: of a tile with those beside it and their images.

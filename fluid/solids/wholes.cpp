@@ -9,7 +9,6 @@
 namespace windrow {
 namespace {
 
-constexpr float k_seam = 1e-3f; // [cells] between blocks that touch: places are rounded to a fourth of it
 // [cells] Sides within it are sorted as equal. No round number, so that lengths people choose are hardly ever at a limit.
 constexpr float k_same_side = 7.3e-3f;
 
@@ -33,6 +32,15 @@ void Wholes::find(std::span<const PlacedObstacle> bodies, float cell, bool rest_
         wholes_.back().position += part.from;
         wholes_.back().shape = Block{.half_size = part.half};
     }
+    if (part_.capacity() < bodies.size())
+        part_.reserve(2 * bodies.size());
+    part_.resize(bodies.size());
+    for (std::size_t n = 0; n < bodies.size(); ++n)
+        if (is_part(n)) {
+            const glm::vec3 middle = glm::transpose(bodies[n].axes) * (bodies[n].position - of(n).position);
+            const glm::vec3 half = std::get<Block>(bodies[n].shape).half_size;
+            part_[n] = {middle - half, middle + half};
+        }
 }
 
 void Wholes::join() {
@@ -113,8 +121,7 @@ bool Wholes::is_anothers(std::size_t body, glm::vec3 place) const {
     const PlacedObstacle& whole = of(body);
     const glm::vec3 half = std::get<Block>(whole.shape).half_size, nearest = glm::clamp(place, -half, half);
     const auto outside = [&](std::size_t part) { // [m]
-        const glm::vec3 middle = glm::transpose(whole.axes) * (bodies_[part].position - whole.position);
-        const glm::vec3 away = glm::abs(nearest - middle) - std::get<Block>(bodies_[part].shape).half_size;
+        const glm::vec3 away = glm::max(part_[part].low - nearest, nearest - part_[part].high);
         return std::max({away.x, away.y, away.z});
     };
     const float seam = k_seam * cell_, own = outside(body);

@@ -16,6 +16,8 @@ namespace windrow {
 
 class Wholes {
   public:
+    static constexpr float k_seam = 1e-3f; ///< [cells] between bodies that touch: places are rounded to a fourth of it
+
     /// How a body is a part of its whole.
     struct Part {
         glm::vec3 half{0.0f}; ///< [m] half the size of the whole; 0: there is none
@@ -32,6 +34,7 @@ class Wholes {
         return whole_of_[body] == k_none ? bodies_[body] : wholes_[whole_of_[body]];
     }
     [[nodiscard]] bool is_part(std::size_t body) const { return whole_of_[body] != k_none; }
+    [[nodiscard]] bool are_of_one(std::size_t a, std::size_t b) const { return is_part(a) && whole_of_[a] == whole_of_[b]; }
     [[nodiscard]] Part part(std::size_t body) const;
     /// Whether a part is the same as before; rounding may have moved it a little.
     [[nodiscard]] bool is_same(const Part& a, const Part& b) const;
@@ -54,6 +57,7 @@ class Wholes {
     float cell_ = 1.0f;
     std::vector<PlacedObstacle> wholes_;
     std::vector<std::uint32_t> whole_of_; ///< of a body
+    std::vector<detail::Extent> part_;    ///< [m] of a body, along its whole's own axes from its middle
     std::vector<std::uint32_t> at_rest_;  ///< bodies
     // By the number of a body in that list.
     std::vector<std::uint32_t> whole_at_rest_;
