@@ -40,9 +40,10 @@ struct ViewBlock {
     glm::vec4 shadow_texel{0.0f};
     glm::vec4 terrain{0.0f};
     glm::ivec4 terrain_size{0};
+    glm::vec4 pixel{0.0f};
     CloudBlock clouds{};
 };
-static_assert(sizeof(ViewBlock) == 528);
+static_assert(sizeof(ViewBlock) == 544);
 
 /// From world to clip space of Vulkan: y down, depth 0 to 1. `anchor` [m] is where shaders count from.
 [[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect, glm::dvec3 anchor);
