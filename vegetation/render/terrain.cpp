@@ -18,9 +18,7 @@ engine::Buffer Terrain::heights(engine::Objects& objects, const Ground& ground) 
     return filled(objects, ground.heights.heights(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene)
-    : cells_x_(static_cast<std::uint32_t>(scene.ground.heights.grid().corners.x - 1)),
-      cells_z_(static_cast<std::uint32_t>(scene.ground.heights.grid().corners.y - 1)) {
+Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene) : tiles_(scene.ground.heights) {
     const Ground& ground = scene.ground;
     const std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
                               engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
@@ -28,10 +26,15 @@ Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Sce
     const VkDescriptorSetLayout own = make_layout(objects, bindings);
     const std::array sets{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects, sets);
-    colour_ = make_pipeline(
-        objects, {.vertex = words::terrain_vert, .fragment = words::terrain_frag, .layout = layout_, .target = targets.colour});
-    shadow_ =
-        make_pipeline(objects, {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+    constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    colour_ = make_pipeline(objects, {.vertex = words::terrain_vert,
+                                      .fragment = words::terrain_frag,
+                                      .layout = layout_,
+                                      .target = targets.colour,
+                                      .topology = strip});
+    shadow_ = make_pipeline(
+        objects,
+        {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
     make_sets(objects, own, bindings, std::span(&set_, 1));
     const engine::Buffer block = filled_block(objects, PlantLookBlock(scene.look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     point(objects.device(), set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
@@ -48,15 +51,32 @@ Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Sce
     point(objects.device(), set_, 2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, grass.buffer);
 }
 
+Result<void> Terrain::prepare(const PassContext& context) {
+    const ViewBlock& block = *context.block;
+    const glm::vec3 corner(block.terrain.x, block.terrain.w, block.terrain.y);
+    const std::array views{block.view_projection, block.shadow[0], block.shadow[1]};
+    for (std::size_t n = 0; n < views.size(); ++n)
+        tiles_.find_seen(views[n], corner, draws_[n]);
+    return {};
+}
+
 void Terrain::draw(const PassContext& context) {
+    const bool shadow = context.pass == Pass::shadow;
     const std::array sets{context.frame, context.wind, set_};
     vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
-    if (context.pass == Pass::shadow)
+    if (shadow)
         vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
     else
         vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 8, sizeof mask_corners_, &mask_corners_);
-    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.pass == Pass::shadow ? shadow_ : colour_);
-    vkCmdDraw(context.commands, 6 * cells_x_, cells_z_, 0, 0);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, shadow ? shadow_ : colour_);
+    const TerrainTiles::Draws& seen = draws_[shadow ? 1 + static_cast<std::size_t>(context.cascade) : 0];
+    const auto record = [&](std::span<const TerrainDraw> draws, std::int32_t level_side) {
+        vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 4, sizeof level_side, &level_side);
+        for (const TerrainDraw& draw : draws)
+            vkCmdDraw(context.commands, draw.vertices, draw.instances, draw.first_vertex, draw.first_instance);
+    };
+    record(seen.strips, 0);
+    record(seen.level, TerrainTiles::k_side);
 }
 
 } // namespace windrow::vegetation::render

@@ -3,6 +3,9 @@
 
 #include "drawable.h"
 #include "scene.h"
+#include "terrain_tiles.h"
+
+#include <array>
 
 namespace windrow::vegetation::render {
 
@@ -13,10 +16,14 @@ class Terrain final : public Drawable {
 
     /// The heights, for set 0.
     [[nodiscard]] static engine::Buffer heights(engine::Objects& objects, const Ground& ground);
+    Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
+    /// What the last prepared frame draws: of the picture, of the near and of the far shadow.
+    [[nodiscard]] const std::array<TerrainTiles::Draws, 3>& draws() const { return draws_; }
 
   private:
-    std::uint32_t cells_x_ = 0, cells_z_ = 0;
+    TerrainTiles tiles_;
+    std::array<TerrainTiles::Draws, 3> draws_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
