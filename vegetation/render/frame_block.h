@@ -42,8 +42,9 @@ struct ViewBlock {
     glm::ivec4 terrain_size{0};
     glm::vec4 pixel{0.0f};
     CloudBlock clouds{};
+    glm::vec4 cloud_map{0.0f};
 };
-static_assert(sizeof(ViewBlock) == 544);
+static_assert(sizeof(ViewBlock) == 560);
 
 /// From world to clip space of Vulkan: y down, depth 0 to 1. `anchor` [m] is where shaders count from.
 [[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect, glm::dvec3 anchor);

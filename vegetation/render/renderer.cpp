@@ -26,7 +26,8 @@ constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around
 constexpr std::array k_frame_bindings{
     engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, engine::k_stages},
     engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
-    engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT}};
+    engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT},
+    engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS}};
 constexpr std::array k_light_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
 VkExtent2D extent_of(const RenderSettings& settings) {
@@ -66,7 +67,7 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
       images_(objects_, {.extent = extent_of(settings),
                          .samples = settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT,
                          .blurred = settings.shutter_deg > 0.0f}),
-      clock_(objects_), wind_(objects_) {
+      clock_(objects_), wind_(objects_), cloud_map_(objects_, scene.clouds.cover > 0.0f ? settings.cloud_texels : 0) {
     if (settings.counts)
         counter_.emplace(objects_);
     const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
@@ -87,6 +88,7 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
 
     const std::array layouts{frame_layout_, wind_.layout(), light_layout_};
     full_screen_ = make_pipeline_layout(objects_, layouts);
+    cloud_map_.make(objects_, full_screen_);
     sky_ = make_pipeline(objects_, {.vertex = words::full_screen_vert,
                                     .fragment = words::sky_frag,
                                     .layout = full_screen_,
@@ -123,6 +125,7 @@ void Renderer::make_sets(const Scene& scene) {
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
+        point(device_, sets_[slot], 3, cloud_map_.view(), cloud_map_.sampler(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         point(device_, sets_[slot], 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, heights.buffer);
     }
     point(device_, light_set_, 0, images_.light(), fetch_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
@@ -164,6 +167,7 @@ void Renderer::fill(const Camera& camera) {
     }
     const float pixel = 2.0f * std::tan(0.5f * glm::radians(camera.view_deg)) / static_cast<float>(settings_.height);
     block_.eye_before.w = 0.5f * k_min_width * pixel;
+    block_.cloud_map = cloud_map_.block(block_.clouds, block_.sky, glm::vec3(block_.eye));
     const float reach[3] = {camera.near, settings_.near_shadow, settings_.far_shadow};
     for (int cascade = 0; cascade < 2; ++cascade) {
         const ShadowView view = shadow_view(camera, aspect, settings_.anchor, block_.sky, reach[cascade], reach[cascade + 1],
@@ -225,6 +229,9 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
         if (auto prepared = drawable->prepare(context); !prepared)
             return prepared;
     clock_.mark(commands, "prepare");
+    const std::array sets{context.frame, context.wind, light_set_};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
+    cloud_map_.record(commands);
     draw_shadows(context);
     clock_.mark(commands, "shadow");
 
@@ -234,7 +241,6 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     for (std::size_t n = 1; n < drawables_.size(); ++n)
         drawables_[n]->draw(context);
     drawables_.front()->draw(context); // the ground: little of it is seen where grass stands
-    const std::array sets{context.frame, context.wind, light_set_};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_); // last: only where nothing stands before it
     vkCmdDraw(commands, 3, 1, 0, 0);

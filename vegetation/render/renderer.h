@@ -11,11 +11,13 @@
 //     frames->finish(frame);
 //     (void)render::write_ppm((*renderer)->images().picture(), "frame.ppm");
 //
-// Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
-// toned picture. With a shutter the light is blurred along the motion before it is toned.
+// Passes: drawables prepare; what clouds leave of the sun, about the eye; both shadows into one map; light (RGBA16F) and motion
+// (RG16F) with depth, four samples resolved; the toned picture. With a shutter the light is blurred along the motion before it is
+// toned.
 #pragma once
 
 #include "../vulkan/wind_set.h"
+#include "cloud_map.h"
 #include "frame_block.h"
 #include "motion_blur.h"
 #include "stage_clock.h"
@@ -43,6 +45,7 @@ struct RenderSettings {
     float near_shadow = 12.0f;
     float far_shadow = 70.0f;
     float shutter_deg = 0.0f;
+    int cloud_texels = 512;
     glm::dvec3 anchor{0.0};
     bool counts = false;
 
@@ -56,6 +59,9 @@ struct RenderSettings {
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
                     "Reach of the coarse one, above near_shadow; beyond it all is lit."),
+            Setting("cloud_texels", &RenderSettings::cloud_texels,
+                    {.min = 0.0, .max = 4096.0, .zero = "no map: each point works it out"},
+                    "A side of the map of the clouds' shadow. 512: within 0.1 % of the light."),
             Setting("shutter_deg", &RenderSettings::shutter_deg, k_shutter_range, k_shutter_meaning),
             Setting("anchor", &RenderSettings::anchor, k_place_range,
                     "Origin of shader positions: within some km of the camera."),
@@ -120,6 +126,7 @@ class Renderer {
     std::optional<VertexCounter> counter_{};
     engine::WindSet wind_;
     engine::Image shadow_map_{};
+    CloudMap cloud_map_;
     std::optional<engine::RenderPass> shadow_pass_{};
     VkSampler compare_ = VK_NULL_HANDLE, fetch_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout frame_layout_ = VK_NULL_HANDLE, light_layout_ = VK_NULL_HANDLE;

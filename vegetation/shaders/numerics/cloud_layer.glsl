@@ -45,22 +45,39 @@ WINDROW_FN vec2 windrow_cloud_place(WindrowClouds clouds, vec3 from, vec3 ray) {
     return vec2(from.x, from.z) + way * vec2(ray.x, ray.z);
 }
 
-// Optical depth straight up through the sheet at a place [m from the anchor].
-WINDROW_FN float windrow_cloud_depth(WindrowClouds clouds, vec2 place, int octaves) {
+// Cell of the noise at a place on the sheet [m from the anchor].
+WINDROW_FN vec2 windrow_cloud_cell(WindrowClouds clouds, vec2 place) { return vec2(clouds.place) + place * clouds.place.w; }
+
+// Optical depth straight up through the sheet at a cell of the noise.
+WINDROW_FN float windrow_cloud_depth_of(WindrowClouds clouds, vec2 cell, int octaves) {
     if (!(clouds.form.x > 0.0f))
         return 0.0f;
-    float f = windrow_octaves(vec2(clouds.place) + place * clouds.place.w, octaves);
+    float f = windrow_octaves(cell, octaves);
     float clear_below = 0.78f - 0.62f * clouds.form.x; // octaves rarely leave 0.16 to 0.84
     float t = clamp((f - clear_below) / 0.3f, 0.0f, 1.0f);
     return clouds.form.y * t * t * (3.0f - 2.0f * t);
 }
 
+// The same at a place on the sheet [m from the anchor].
+WINDROW_FN float windrow_cloud_depth(WindrowClouds clouds, vec2 place, int octaves) {
+    return windrow_cloud_depth_of(clouds, windrow_cloud_cell(clouds, place), octaves);
+}
+
+// Share of the sun's beam that a cell of the noise leaves. Light that is scattered forward arrives too.
+WINDROW_FN float windrow_cloud_left(WindrowClouds clouds, vec2 cell) {
+    return 0.3f + 0.7f * exp(-0.6f * windrow_cloud_depth_of(clouds, cell, 3));
+}
+
+// Whether the sheet is between p [m] and the sun.
+WINDROW_FN bool windrow_clouds_above(WindrowClouds clouds, vec3 to_sun, vec3 p) {
+    return clouds.form.x > 0.0f && to_sun.y > 0.02f && p.y < clouds.place.z;
+}
+
 // Share of the sun's beam that reaches p [m]; 1 above the sheet and with no clouds. Blurred as by a sheet that is not thin.
 WINDROW_FN float windrow_cloud_light(WindrowClouds clouds, vec3 to_sun, vec3 p) {
-    if (!(clouds.form.x > 0.0f) || !(to_sun.y > 0.02f) || p.y >= clouds.place.z)
+    if (!windrow_clouds_above(clouds, to_sun, p))
         return 1.0f;
-    float tau = windrow_cloud_depth(clouds, windrow_cloud_place(clouds, p, to_sun), 3);
-    return 0.3f + 0.7f * exp(-0.6f * tau); // light that is scattered forward arrives too
+    return windrow_cloud_left(clouds, windrow_cloud_cell(clouds, windrow_cloud_place(clouds, p, to_sun)));
 }
 
 // xyz radiance of the clouds along a ray [unit vector] from the eye, w share of what lies behind that still shines through.

@@ -23,10 +23,12 @@ layout(std140, set = 0, binding = 0) uniform RenderFrame {
     ivec4 terrain_size; // x columns, y rows; z what grass shows in place of its colours (grass_view.glsl)
     vec4 pixel;         // xy clip space over w, a pixel of the picture; zw 0
     WindrowClouds clouds;
+    vec4 cloud_map; // xy cell of the clouds' noise at its corner; z maps a cell; w maps a texel, 1 where there is none
     // clang-format off
 } frame;
 // clang-format on
 
+layout(set = 0, binding = 3) uniform sampler2D cloud_map;        // cloud_map.glsl
 layout(set = 0, binding = 1) uniform sampler2DShadow shadow_map; // near and far side by side
 
 // Heights [m], row by row along x.

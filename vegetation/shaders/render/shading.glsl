@@ -3,6 +3,7 @@
 #define WINDROW_RENDER_SHADING_GLSL
 
 #include "air.glsl"
+#include "cloud_map.glsl"
 #include "frame.glsl"
 #include "../numerics/leaf_light.glsl"
 
@@ -36,7 +37,7 @@ float sun_fraction(vec3 position, vec3 lift) {
         float edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y))); // beyond the map all is lit
         lit += far * mix(shadow_fraction(1, at), 1.0, edge);
     }
-    return lit * windrow_cloud_light(frame.clouds, frame.sky.sun.xyz, position);
+    return lit * cloud_light(position);
 }
 
 vec3 fogged(vec3 radiance, vec3 p) {
