@@ -21,6 +21,7 @@
 #include "c_api/ambient.h"
 #include "c_api/base.h"
 #include "c_api/config.h"
+#include "c_api/drag.h"
 #include "c_api/event_log.h"
 #include "c_api/motion.h"
 #include "c_api/motors.h"

@@ -58,6 +58,26 @@ void fields(auto& archive, Like<ObstacleRemoved> auto& event) {
     archive(id);
 }
 
+void fields(auto& archive, Like<DragId> auto& id) {
+    auto& [slot, generation, owner] = id; // as of a motor
+    archive(slot, generation);
+}
+
+void fields(auto& archive, Like<DragAdded> auto& event) {
+    auto& [id, deposit] = event;
+    archive(id, deposit);
+}
+
+void fields(auto& archive, Like<DragSet> auto& event) {
+    auto& [id, deposit] = event;
+    archive(id, deposit);
+}
+
+void fields(auto& archive, Like<DragRemoved> auto& event) {
+    auto& [id] = event;
+    archive(id);
+}
+
 void fields(auto& archive, Like<Followed> auto& event) {
     auto& [point] = event;
     archive(point);
@@ -121,9 +141,9 @@ void fields(auto& archive, Like<TickRecorded> auto& event) {
 
 namespace {
 
-constexpr detail::Format k_format{"WINDLOGS",
-                                  detail::Layout("events 7").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
-                                  "event log", "EventLog::to_bytes"};
+constexpr detail::Format k_format{
+    "WINDLOGS", detail::Layout("events 8").with<Motor>().with<Obstacle>().with<DragDeposit>().with<Boundaries>().version(),
+    "event log", "EventLog::to_bytes"};
 
 } // namespace
 

@@ -10,6 +10,7 @@
 
 #include "api.h"
 #include "boundaries.h"
+#include "drag_field.h"
 #include "motors.h"
 #include "obstacles.h"
 #include "result.h"
@@ -61,6 +62,17 @@ struct ObstacleMoved {
 struct ObstacleRemoved {
     ObstacleId id;
 };
+struct DragAdded {
+    DragId id; ///< what add() returned; a replay must get the same
+    DragDeposit deposit;
+};
+struct DragSet {
+    DragId id;
+    DragDeposit deposit;
+};
+struct DragRemoved {
+    DragId id;
+};
 struct Followed {
     glm::dvec3 point;
 };
@@ -100,8 +112,8 @@ struct TickRecorded {
 };
 
 using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved,
-                           ObstacleRemoved, Followed, FloorSet, OriginShifted, AmbientSet, GustsSet, BoundariesSet, VelocitySet,
-                           WindReset, Stepped, Advanced, TickRecorded>;
+                           ObstacleRemoved, DragAdded, DragSet, DragRemoved, Followed, FloorSet, OriginShifted, AmbientSet,
+                           GustsSet, BoundariesSet, VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
 
 class WINDROW_API EventLog {
   public:

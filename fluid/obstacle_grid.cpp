@@ -24,7 +24,7 @@ void ObstacleGrid::reserve(std::size_t count) {
 
 void ObstacleGrid::insert(std::uint32_t item, glm::dvec3 centre, double radius) {
     Node& node = nodes_[item];
-    node.level = std::clamp(numerics::ceil_log2(2.0 * radius / k_finest), 0, k_levels - 1);
+    node.level = std::clamp(numerics::ceil_log2(2.0 * radius / finest_), 0, k_levels - 1);
     node.cell = cell_of(centre, node.level, 0.0);
     link(item);
     ++on_level_[static_cast<std::size_t>(node.level)];

@@ -19,6 +19,8 @@ namespace windrow::detail {
 
 class WINDROW_API ObstacleGrid {
   public:
+    /// `finest` [m]: width of the cells of the finest level. Default: a quarter of a usual box; finer cells make a search longer.
+    explicit ObstacleGrid(double finest = 8.0) : finest_(finest) {}
     /// Makes room for the items 0 to count - 1. Throws std::bad_alloc, and nothing has changed then.
     void reserve(std::size_t count);
     /// Adds an item that is not in the grid: a ball [m].
@@ -56,7 +58,6 @@ class WINDROW_API ObstacleGrid {
   private:
     static constexpr std::uint32_t k_none = ~std::uint32_t{0};
     static constexpr int k_levels = 32;
-    static constexpr double k_finest = 8.0; ///< [m] a quarter of a usual box: finer cells make a search longer
 
     struct Node {
         CellIndex cell{0};
@@ -64,9 +65,9 @@ class WINDROW_API ObstacleGrid {
         std::uint32_t next = k_none, before = k_none;
     };
 
-    [[nodiscard]] static double width(int level) { return std::ldexp(k_finest, level); }
+    [[nodiscard]] double width(int level) const { return std::ldexp(finest_, level); }
     /// The cell of a place that is moved by `shift` cells.
-    [[nodiscard]] static CellIndex cell_of(glm::dvec3 place, int level, double shift) {
+    [[nodiscard]] CellIndex cell_of(glm::dvec3 place, int level, double shift) const {
         return CellIndex(glm::floor(place / width(level) + shift));
     }
     [[nodiscard]] std::size_t bucket_of(CellIndex cell, int level) const;
@@ -78,6 +79,7 @@ class WINDROW_API ObstacleGrid {
     std::vector<std::uint32_t> heads_; ///< first item of each bucket; a power of two of them
     std::array<std::uint32_t, k_levels> on_level_{};
     std::size_t count_ = 0;
+    double finest_;
 };
 
 } // namespace windrow::detail

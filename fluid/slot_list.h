@@ -63,13 +63,14 @@ class SlotList {
         return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t);
     }
 
-    [[nodiscard]] Result<void> check_room() const {
-        return free_.empty() && slots_.size() >= most_ ? list_is_full(words_, count_, most_) : Result<void>();
+    [[nodiscard]] Result<void> check_room(std::size_t more = 1) const {
+        return slots_.size() - free_.size() + more > most_ ? list_is_full(words_, count_, most_) : Result<void>();
     }
-    /// For one more, and for all to go. Throws std::bad_alloc.
-    void make_room() {
-        if (free_.empty() && slots_.size() == slots_.capacity())
-            slots_.reserve(std::max<std::size_t>(1, 2 * slots_.capacity()));
+    /// For some more, and for all to go. Throws std::bad_alloc.
+    void make_room(std::size_t more = 1) {
+        const std::size_t wanted = slots_.size() + more - std::min(more, free_.size());
+        if (wanted > slots_.capacity())
+            slots_.reserve(std::max(wanted, 2 * slots_.capacity()));
         free_.reserve(slots_.capacity());
     }
     /// A used slot of a new generation, whose other members are as the last entry left them.

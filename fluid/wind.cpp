@@ -63,6 +63,13 @@ Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
     return state_->cells.loads.force_on(id.slot, id.generation);
 }
 
+Result<DragForce> Wind::force_on(DragId id) const {
+    const WindCore& core = state_->core;
+    if (auto known = core.drag.check(id); !known)
+        return known.failure();
+    return core.drag.force_on(id, core.window(), core.config.boundaries, field());
+}
+
 WindView Wind::view() const {
     const auto& frames = state_->core.frames;
     return frames ? state_->cells.view(state_->cells.frames.shown, frames->shown) : state_->cells.air_view();
@@ -118,7 +125,7 @@ std::uint64_t Wind::memory_bytes() const {
     const WindCore& core = state_->core;
     const bool own_tile = core.ambient.tile() && !core.config.gusts.tile;
     return sizeof(State) + state_->cells.memory_bytes() + core.motors.memory_bytes() + core.obstacles.memory_bytes() +
-           (own_tile ? core.ambient.tile()->memory_bytes() : 0);
+           core.drag.memory_bytes() + (own_tile ? core.ambient.tile()->memory_bytes() : 0);
 }
 
 } // namespace windrow

@@ -100,6 +100,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     Result<void> write_obstacles(std::span<float> cells) const override;
     Result<void> write_pressure(std::span<float> cells) override;
     [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const override;
+    [[nodiscard]] Result<DragForce> force_on(DragId id) const override;
     [[nodiscard]] Diagnostics diagnostics() const override;
     [[nodiscard]] std::uint64_t memory_bytes() const override;
 

@@ -20,6 +20,12 @@ Obstacles& WindControl::obstacles() {
 const Obstacles& WindControl::obstacles() const {
     return core().obstacles;
 }
+DragField& WindControl::drag() {
+    return core().drag;
+}
+const DragField& WindControl::drag() const {
+    return core().drag;
+}
 Result<void> WindControl::set_ambient(glm::vec3 ambient) {
     return core().set_ambient(ambient);
 }

@@ -12,6 +12,7 @@
 #include "api.h"
 #include "box.h"
 #include "config.h"
+#include "drag_field.h"
 #include "motors.h"
 #include "obstacles.h"
 #include "result.h"
@@ -30,12 +31,15 @@ class WindCore;
 
 class WINDROW_API WindControl {
   public:
-    // --- Motors, obstacles, ambient wind, boundaries: without memory each call fails and the wind is unchanged --------------
+    // --- Motors, obstacles, drag, ambient wind, boundaries: without memory each call fails and the wind is unchanged --------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
     /// Bodies and buildings that the air flows around.
     [[nodiscard]] Obstacles& obstacles();
     [[nodiscard]] const Obstacles& obstacles() const;
+    /// Plants, hedges, fences and nets that slow the air.
+    [[nodiscard]] DragField& drag();
+    [[nodiscard]] const DragField& drag() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
     /// far wider than the box; entering through the boundaries alone, a new wind would never reach still air. Ramp it for a gust.
     /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.

@@ -9,6 +9,7 @@
 #include "ambient.h"
 #include "api.h"
 #include "diagnostics.h"
+#include "drag_field.h"
 #include "obstacle_force.h"
 #include "obstacles.h"
 #include "result.h"
@@ -58,6 +59,9 @@ class WINDROW_API WindReader {
     /// What the air did to an obstacle in the last step or tick; rejects a stale handle. 0 before the first step, while the air
     /// sleeps, and for an obstacle outside of the box (ObstacleForce::in_box). On a device with vulkan::Settings::forces.
     [[nodiscard]] virtual Result<ObstacleForce> force_on(ObstacleId id) const = 0;
+    /// What the air does to a deposit of drag, of the cells as they are after the last step or tick; rejects a stale handle. On a device
+    /// of those that were read back last, with vulkan::Settings::queries of cells.
+    [[nodiscard]] virtual Result<DragForce> force_on(DragId id) const = 0;
     /// Report of the last step or tick; on a device of the last one that was read back. stepped = false before the first.
     [[nodiscard]] virtual Diagnostics diagnostics() const = 0;
     /// Bytes that the wind has allocated: on a device, of its memory.

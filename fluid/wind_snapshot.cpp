@@ -21,8 +21,9 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 9").with<Config>().with<Motor>().with<Obstacle>().version(),
-                                  "snapshot", "Wind::save"};
+constexpr detail::Format k_format{
+    "WINDSNAP", detail::Layout("state 10").with<Config>().with<Motor>().with<Obstacle>().with<DragDeposit>().version(),
+    "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
     const auto unit = [](const glm::vec3& direction) { return std::abs(glm::length(glm::dvec3(direction)) - 1.0) < 1e-3; };
@@ -113,6 +114,39 @@ struct DeviceNames {
 };
 
 } // namespace
+
+/// Access to the private members of the list of deposits.
+struct DragFields {
+    static void deposits(auto& archive, Like<DragField> auto& drag) {
+        const auto slot = [&](auto& one) {
+            auto& [deposit, generation, used, named_here] = one; // read: named by the wind that was saved
+            archive(used, generation);
+            if (used)
+                archive(deposit);
+        };
+        if (!SlotFields::require_slots(archive, drag.list_, "it has more deposits of drag than fit.", slot) ||
+            !SlotFields::require_free(archive, drag.list_, "its list of free deposits does not match its deposits."))
+            return;
+        if constexpr (Reading<decltype(archive)>)
+            restore(archive, drag);
+    }
+
+  private:
+    static void restore(detail::Reader& reader, DragField& drag) {
+        for (std::size_t n = 0; n < drag.slots().size() && !reader.rejected(); ++n) {
+            const DragField::Slot& slot = drag.slots()[n];
+            reader.require(slot.generation > 0, "a deposit has no generation.");
+            if (!slot.used)
+                continue;
+            if (auto valid = validate(slot.deposit); !valid)
+                reader.reject("deposit ", n, " cannot be used: ", valid.error());
+        }
+        if (reader.rejected() || drag.slots().empty())
+            return;
+        drag.make_room(0);
+        drag.link_all();
+    }
+};
 
 /// Access to the private members of the state.
 struct StateFields {
@@ -232,8 +266,8 @@ struct StateFields {
 
     /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
     static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
-        auto& [config, rows, place, ambient, motors, obstacles, source_name, sleep, speed, frames, last, log, box, storage] =
-            core;
+        auto& [config, rows, place, ambient, motors, obstacles, drag, source_name, sleep, speed, frames, last, log, box,
+               storage] = core;
         auto& [window, point, stepped, previous, follow_axes] = place;
         Tiles tiles;
         tiles.add(ambient.tile());
@@ -261,6 +295,7 @@ struct StateFields {
             archive.cells(cells.source_flow);
         StateFields::motors(archive, motors);
         ObstacleFields::obstacles(archive, obstacles);
+        DragFields::deposits(archive, drag);
         auto surface = cells.surface_history();
         ObstacleFields::surface(archive, surface, config.cells);
         if constexpr (Reading<decltype(archive)>)
@@ -315,7 +350,7 @@ Config saved_config(const WindCore& core) {
 
 // Bytes beside the cells, more or less.
 std::size_t bytes_beside(const WindCore& core) {
-    return 2048 + core.motors.slots().size() * 256 + core.obstacles.slots().size() * 128;
+    return 2048 + core.motors.slots().size() * 256 + core.obstacles.slots().size() * 128 + core.drag.slots().size() * 64;
 }
 
 } // namespace

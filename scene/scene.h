@@ -1,6 +1,7 @@
 // A scene: the air, what moves in it and acts on it, and what is kept of a run. What a scene file says, in memory.
 #pragma once
 
+#include "fluid/drag_deposit.h"
 #include "fluid/motors.h"
 #include "fluid/obstacles.h"
 #include "fluid/wind.h"
@@ -196,6 +197,7 @@ struct Scene {
     std::variant<double, std::size_t> floor = 0.0;
     std::vector<SceneMotor> motors;
     std::vector<SceneObstacle> obstacles;
+    std::vector<DragDeposit> drag; ///< from the start on
     /// What the picture moves and what carries the air along (picture_air.h).
     std::vector<Carried> carried;
     std::vector<SceneSmoke> smoke;

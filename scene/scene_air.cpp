@@ -68,6 +68,8 @@ Result<void> SceneAir::begin(WindControl& wind) {
         return placed;
     if (auto placed = place_obstacles(wind.obstacles(), 0.0); !placed)
         return placed;
+    if (const auto added = wind.drag().add(scene_->drag); !added)
+        return rejection("drag", 0.0, added.error());
     // Air that was filled in before the floor stood where it belongs has the wind of other heights.
     wind.reset();
     return {};

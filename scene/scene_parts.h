@@ -1,4 +1,4 @@
-// The parts of a scene file, each read by a function: `air`, `motors`, `obstacles`, `paths`.
+// The parts of a scene file, each read by a function: `air`, `motors`, `obstacles`, `drag`, `paths`.
 #pragma once
 
 #include "scene/json_object.h"
@@ -21,6 +21,8 @@ struct ReadAir {
 [[nodiscard]] ReadAir read_air(JsonObject air, const std::filesystem::path& folder);
 
 [[nodiscard]] std::vector<SceneMotor> read_motors(JsonObject& scene, std::span<const std::string> path_names);
+
+[[nodiscard]] std::vector<DragDeposit> read_drag(JsonObject& scene);
 
 /// `folder` is the scene's: meshes and voxel grids are beside it.
 [[nodiscard]] std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names,

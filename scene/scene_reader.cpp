@@ -208,6 +208,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     read_floor(object, scene, names);
     scene.motors = read_motors(object, names);
     scene.obstacles = read_obstacles(object, names, file.parent_path());
+    scene.drag = read_drag(object);
     scene.smoke = read_smoke(object, names);
     read_outputs(object, scene);
     // What it does to the air is read by itself (picture_air.h).

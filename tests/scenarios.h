@@ -106,6 +106,42 @@ inline Obstacle hills(glm::dvec3 corner = {-40.0, -4.0, -40.0}) {
                                 })}};
 }
 
+/// Plants and a hedge: at all defaults, in gusts, in rows of unequal thickness, with the classic split, and in a box that walks past
+/// them while one comes, changes and goes.
+inline Scenario drag_scenario(const std::string& name) {
+    Scenario row{.name = name};
+    row.config = [=](Config& c) {
+        if (name == "drag_in_gusts")
+            c.gusts.intensity = 0.2f;
+        if (name == "drag_in_rows") {
+            c.boundaries = Boundaries::open_over_floor();
+            c.rows = Rows{};
+        }
+        if (name == "drag_of_stable_fluids")
+            c.scheme = Scheme::stable_fluids;
+    };
+    row.begin = [](WindControl& wind) {
+        for (int n = 0; n < 24; ++n)
+            must(wind.drag().add(PlantDrag{.position = {1.7 * n - 14.0, 0.6 - 0.1 * n, 0.9 * (n % 7) - 3.0},
+                                           .radius = 0.2f + 0.11f * static_cast<float>(n % 5),
+                                           .base = 0.3f,
+                                           .height = 2.7f,
+                                           .area = 1.5f}));
+        must(wind.drag().add(BeltDrag{.start = {-3.0, -1.0, -5.0}, .end = {2.0, 0.5, 6.0}, .width = 0.7f, .height = 3.3f}));
+    };
+    if (name == "drag_walk")
+        row.step = [](WindControl& wind, int n) {
+            must(wind.follow({0.31 * n, 0.13 * n, -0.27 * n}));
+            if (n % 6 == 2)
+                must(wind.drag().add(PlantDrag{.position = {0.31 * n + 3.0, 0.0, 1.0}, .radius = 1.4f, .area = 4.0f}));
+            if (n % 5 == 3)
+                must(wind.drag().set({.slot = 12, .generation = 1}, PlantDrag{.position = {0.2 * n, 0.0, 0.0}, .radius = 2.0f}));
+            if (n == 9)
+                must(wind.drag().remove({.slot = 11, .generation = 1}));
+        };
+    return row;
+}
+
 } // namespace scenario_parts
 
 /// Each feature alone. Not `whole`: of the shapes in turn one that rests, one that moves and one that turns.
@@ -263,6 +299,8 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         [](WindControl& wind, int n) {
                             must(wind.follow({0.11 * n, 0.03 * n, -0.07 * n}));
                         }});
+    for (const std::string name : {"drag", "drag_in_gusts", "drag_in_rows", "drag_of_stable_fluids", "drag_walk"})
+        rows.push_back(scenario_parts::drag_scenario(name));
     // A host whose world floats: box, bodies, wakes, ground and gusts move with it.
     rows.push_back({.name = "shifted_origin",
                     .config =
@@ -451,6 +489,8 @@ inline std::vector<Scenario> random_scenarios(int count) {
                                            "jet", "pressure", "turning_wind"})
                 if (row.name == name && pick(3) == 0)
                     parts.push_back(std::move(row));
+        if (pick(3) == 0)
+            parts.push_back(scenario_parts::drag_scenario("drag"));
         Scenario both{.name = "random_" + std::to_string(number)};
         for (const Scenario& part : parts)
             both.name += "_" + part.name;

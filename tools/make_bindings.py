@@ -29,7 +29,7 @@ WIDTH = 130
 MARK = r"/\* Made by \./dev schema from ([\w:]+)(?:; by hand: ([\w, ]+))?\. \*/\n"
 STRUCT = re.compile(MARK + r"typedef struct (windrow_\w+) \{\n(.*?)\} \3;\n", re.DOTALL)
 CHOICE = re.compile(MARK + r"typedef int32_t (windrow_\w+);\nenum \{(.*?)\};\n", re.DOTALL)
-LISTS = {"tables.h": ("config.h", "ambient.h", "wind.h", "motors.h", "obstacles.h"), "plant_tables.h": ("plants.h", "motion.h")}
+LISTS = {"tables.h": ("config.h", "ambient.h", "wind.h", "motors.h", "obstacles.h", "drag.h"), "plant_tables.h": ("plants.h", "motion.h")}
 BEGIN, END = "// --- Made by ./dev schema ", "// --- End of what ./dev schema makes "
 NUMBERS = {"bool": "int32_t", "int32": "int32_t", "int64": "int64_t", "uint32": "uint32_t", "float": "float", "double": "double"}
 

@@ -10,7 +10,7 @@ import textwrap
 from c_header import common
 
 PARTS = {"air": ("base.h", "config.h", "ambient.h", "shader_blocks.h", "wind.h", "event_log.h", "tracer.h"),
-         "bodies": ("motors.h", "obstacles.h"),
+         "bodies": ("motors.h", "obstacles.h", "drag.h"),
          "operators": ("operators.h", "scene.h"),
          "plants": ("plants.h", "motion.h"),
          "device": ("vdb.h", "vulkan_host.h", "vulkan_wind.h", "vulkan_ground.h")}

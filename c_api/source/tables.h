@@ -1,4 +1,4 @@
-// Tables of the structs of wind.h, config.h, ambient.h, motors.h and obstacles.h.
+// Tables of the structs of wind.h, config.h, ambient.h, motors.h, obstacles.h and drag.h.
 #pragma once
 
 #include "c_api/source/convert.h"
@@ -38,6 +38,9 @@ WINDROW_C_STRUCT(windrow_omni_motor, OmniMotor, position, radius, speed, envelop
 WINDROW_C_STRUCT(windrow_pressure_motor, PressureMotor, position, radius, speed, duration);
 // obstacles.h
 WINDROW_C_STRUCT(windrow_obstacle, Obstacle, position, orientation, shape, surface);
+// drag.h
+WINDROW_C_STRUCT(windrow_plant_drag, PlantDrag, position, radius, base, height, area);
+WINDROW_C_STRUCT(windrow_belt_drag, BeltDrag, start, end, width, height, resistance);
 // --- End of what ./dev schema makes -----------------------------------------------------------------------------------
 
 // Structs without a table of settings, or with other names.
@@ -49,6 +52,7 @@ struct QueryDefaults {
 };
 WINDROW_C_STRUCT(windrow_query, QueryDefaults, number);
 WINDROW_C_STRUCT_BUT(1, windrow_box, Box, cells, cell_size, boundaries);
+WINDROW_C_STRUCT(windrow_drag_force, DragForce, force, in_box);
 WINDROW_C_STRUCT(windrow_obstacle_force, ObstacleForce, force, moment, pressure, in_box);
 
 // What a table does not hold: lists, variants, bits, what is shared (tables.cpp).

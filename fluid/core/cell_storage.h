@@ -11,6 +11,7 @@
 #include "fluid/core/numerics.h"
 #include "fluid/core/solve_policy.h"
 #include "fluid/diagnostics.h"
+#include "fluid/drag_field.h"
 #include "fluid/motor_reach.h"
 #include "fluid/obstacle.h"
 #include "fluid/window.h"
@@ -80,6 +81,8 @@ struct CellStep {
     AmbientWind* ambient = nullptr;         ///< at the start of the step; the storage advances it to the end
     const Window* window = nullptr;
     CanopyRows canopy{};
+    DragCells drag{};
+    DragChange drag_change{};     ///< since the last step
     float relaxation_time = 0.0f; ///< [s] to the ambient wind; 0: never
     bool renews_sources = false;  ///< the volume sources are not those of the last step
     bool has_source_flow = false; ///< the velocity holds a flow of theirs, after this step's change

@@ -11,15 +11,27 @@
 namespace windrow::detail {
 
 inline const char* name_of(const Event& event) {
-    constexpr const char* k_names[] = {"add",           "set",
-                                       "move",          "remove",
-                                       "add_obstacle",  "set_obstacle",
-                                       "move_obstacle", "remove_obstacle",
-                                       "follow",        "set_floor",
-                                       "shift_origin",  "set_ambient",
-                                       "set_gusts",     "set_boundaries",
-                                       "set_velocity",  "reset",
-                                       "step",          "advance",
+    constexpr const char* k_names[] = {"add",
+                                       "set",
+                                       "move",
+                                       "remove",
+                                       "add_obstacle",
+                                       "set_obstacle",
+                                       "move_obstacle",
+                                       "remove_obstacle",
+                                       "add_drag",
+                                       "set_drag",
+                                       "remove_drag",
+                                       "follow",
+                                       "set_floor",
+                                       "shift_origin",
+                                       "set_ambient",
+                                       "set_gusts",
+                                       "set_boundaries",
+                                       "set_velocity",
+                                       "reset",
+                                       "step",
+                                       "advance",
                                        "tick"};
     static_assert(std::size(k_names) == std::variant_size_v<Event>);
     return k_names[event.index()];
@@ -49,6 +61,11 @@ struct Repeat {
                                  : obstacles.move(event.id, event.position);
     }
     Result<void> operator()(const ObstacleRemoved& event) const { return wind.obstacles().remove(event.id); }
+    Result<void> operator()(const DragAdded& event) const {
+        return same_handle("deposit", wind.drag().add(event.deposit), event.id);
+    }
+    Result<void> operator()(const DragSet& event) const { return wind.drag().set(event.id, event.deposit); }
+    Result<void> operator()(const DragRemoved& event) const { return wind.drag().remove(event.id); }
     Result<void> operator()(const Followed& event) const { return wind.follow(event.point); }
     Result<void> operator()(const OriginShifted& event) const { return wind.shift_origin(event.offset); }
     Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }

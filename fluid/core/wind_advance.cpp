@@ -187,9 +187,11 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     report.jumps = motors.jumps() + obstacles.jumps();
     report.fast_turns = obstacles.fast_turns();
     const bool moved = obstacles.take_moved(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
+    const DragCells plants = config.stages.sources ? drag.cells_in(place.window, config.boundaries) : DragCells{};
+    const bool wind_meets_plants = plants.any() && mean_wind() != glm::vec3(0.0f);
     report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
-    if (sleep.asleep() && reached.empty() && !moved && !wind_meets_bodies) {
+    if (sleep.asleep() && reached.empty() && !moved && !wind_meets_bodies && !wind_meets_plants) {
         drift(duration);
         const Diagnostics now = report;
         report = sleep.at_rest;
@@ -208,7 +210,8 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                        .motors = report.motors_in_reach,
                                        .source_flow = source_name != 0,
                                        .viscous = viscous() || changes_ambient(),
-                                       .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f),
+                                       .wind_among_plants =
+                                           wind_meets_plants || (canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f)),
                                        .bodies_act = moved || wind_meets_bodies};
     CellStep step{.duration = duration,
                   .motors = reached,
@@ -219,6 +222,8 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                   .ambient = &ambient,
                   .window = &place.window,
                   .canopy = canopy,
+                  .drag = plants,
+                  .drag_change = drag.take_change(),
                   .relaxation_time = conditions.relaxation_time,
                   .renews_sources = renews_sources,
                   .has_source_flow = source_name != 0,

@@ -72,8 +72,10 @@ Box box_of(const Config& config) {
 } // namespace detail
 
 WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells)
-    : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()),
-      ambient(wind_around), box_{config.cells, config.cell_size, config.boundaries, rows}, cells_(cells) {}
+    : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()), ambient(wind_around),
+      drag({config.cells, config.cell_size, config.boundaries, rows}), box_{config.cells, config.cell_size, config.boundaries,
+                                                                            rows},
+      cells_(cells) {}
 
 void WindCore::start() {
     renew_ambient();
@@ -206,9 +208,11 @@ Result<void> WindCore::shift_origin(glm::dvec3 offset) {
         all = all && (!slot.used || stays(position_of(slot.motor)));
     for (const Obstacles::Slot& slot : obstacles.slots())
         all = all && (!slot.used || stays(slot.obstacle.position));
+    for (const DragField::Slot& slot : drag.slots())
+        all = all && (!slot.used || stays(position_of(slot.deposit)));
     if (!all)
-        return Error{
-            detail::message("shift_origin by ", offset, " m moves the box, a motor or an obstacle out of 1e12 m: give less.")};
+        return Error{detail::message("shift_origin by ", offset,
+                                     " m moves the box, a motor, an obstacle or a deposit out of 1e12 m: give less.")};
     place.shift_origin(shift);
     shift.move(config.centre);
     config.floor += nearest.y;
@@ -217,6 +221,7 @@ Result<void> WindCore::shift_origin(glm::dvec3 offset) {
     shift.move(ambient);
     motors.shift_origin(nearest);
     obstacles.shift_origin(nearest, shift.cells);
+    drag.shift_origin(nearest);
     if (frames)
         frames->shift_origin(shift);
     cells_.shift_origin(shift);
@@ -270,6 +275,7 @@ void WindCore::record_to(EventLog* to) {
     log = to;
     motors.record_to(to);
     obstacles.record_to(to);
+    drag.record_to(to);
 }
 
 // --- Reading -----------------------------------------------------------------------------------------------------------------

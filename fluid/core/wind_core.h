@@ -33,6 +33,7 @@ class WINDROW_INTERNAL WindCore {
     AmbientWind ambient;
     Motors motors;
     Obstacles obstacles;
+    DragField drag;
     std::uint64_t source_name = 0; ///< of the set of volume sources whose flow is in the velocity; 0: none
     Sleep sleep;
     SpeedBound speed;

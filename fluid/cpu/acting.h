@@ -9,9 +9,39 @@
 #include "fluid/cpu/sources.h"
 #include "fluid/parallel.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <span>
 
 namespace windrow::cpu {
+
+/// Drag of a step, by rows of x: the canopy's, and that of deposits. Rows without any are not visited.
+struct DragRows {
+    CanopyRows canopy{};
+    DragCells deposits{};
+    glm::ivec3 cells{0};
+
+    [[nodiscard]] bool any() const { return canopy.drag > 0.0f || deposits.any(); }
+    struct Row {
+        int low = 0, high = 0; ///< cells with any
+        float canopy = 0.0f;   ///< [1/m]
+        DragCells::Run run{};
+        const float* deposits = nullptr; ///< [1/m] in `run`
+        [[nodiscard]] float of(int i) const { return i >= run.low && i < run.high ? canopy + deposits[i] : canopy; }
+    };
+    [[nodiscard]] Row at(int j, int k) const {
+        Row row{.canopy = canopy.drag_of(j)};
+        if (deposits.any()) {
+            const std::size_t index = static_cast<std::size_t>(k) * cells.y + j;
+            row.run = deposits.runs[index];
+            row.deposits = deposits.drag.data() + index * cells.x;
+        }
+        const bool whole = row.canopy > 0.0f;
+        row.low = whole ? 0 : row.run.low;
+        row.high = whole ? cells.x : row.run.high;
+        return row;
+    }
+};
 
 class Acting {
   public:
@@ -20,11 +50,13 @@ class Acting {
         float dt = 0.0f; ///< [s] of the sub-step
         int substeps = 1;
         CanopyRows plants{}; ///< drag 0: none
+        DragCells deposits{};
         const ParallelFor* parallel_for = nullptr;
     };
-    Acting(SourceField& sources, const Settings& settings) : sources_(sources), settings_(settings) {}
+    Acting(SourceField& sources, const Settings& settings)
+        : sources_(sources), settings_(settings), drag_{settings.plants, settings.deposits, settings.cells} {}
 
-    [[nodiscard]] bool any() const { return sources_.any_force() || sources_.any_drive() || settings_.plants.drag > 0.0f; }
+    [[nodiscard]] bool any() const { return sources_.any_force() || sources_.any_drive() || drag_.any(); }
 
     /// Adds the change at departure to the history. `air(n, cell)`: total wind [m/s] of a cell; `scale`: s.
     template <class Air>
@@ -64,12 +96,17 @@ class Acting {
                 const glm::vec4* const force = sources_.force_row(row);
                 const glm::vec4* const drives = sources_.drive_row(row);
                 const SourceField::Range driven = sources_.driven(row);
-                const float way = half * settings_.plants.drag_of(j);
-                const bool whole = force != nullptr || way > 0.0f;
-                for (int i = whole ? 0 : driven.low, end = whole ? cells.x : driven.high; i < end; ++i) {
+                const DragRows::Row drag = drag_.at(j, k);
+                int low = force != nullptr ? 0 : drag.low, high = force != nullptr ? cells.x : drag.high;
+                if (driven.low < driven.high) {
+                    low = low < high ? std::min<int>(low, driven.low) : driven.low;
+                    high = std::max<int>(high, driven.high);
+                }
+                for (int i = low; i < high; ++i) {
                     const glm::vec3 push = force != nullptr ? half * glm::vec3(force[i]) : glm::vec3(0.0f);
+                    const float way = half * drag.of(i);
                     const bool drives_here = i >= driven.low && i < driven.high;
-                    if (!whole && !(drives[i].w > 0.0f))
+                    if (force == nullptr && !(way > 0.0f) && !(drives_here && drives[i].w > 0.0f))
                         continue;
                     visit(first + static_cast<std::size_t>(i), {i, j, k}, push,
                           {drives_here ? part * drives[i] : glm::vec4(0.0f), way});
@@ -80,6 +117,7 @@ class Acting {
 
     SourceField& sources_;
     Settings settings_;
+    DragRows drag_;
 };
 
 } // namespace windrow::cpu

@@ -230,6 +230,7 @@ class Cells final : public CellStorage {
     std::vector<float> profile_bends_;   ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                  ///< of the step, as `relaxation_time_`
+    DragCells drag_;                     ///< the same
     float relaxation_time_ = 0.0f;       ///< [s]
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed

@@ -72,6 +72,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     work.state().obstacles_ms = 0.0;
     sampled_.held = false;
     canopy_ = step.canopy;
+    drag_ = step.drag;
     relaxation_time_ = step.relaxation_time;
     materialise_air_alone(config_.parallel_for);
     materialise_before();
@@ -198,9 +199,12 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
         transport.history = air.history;
         transport.history_scale = past.scale;
     }
-    const Acting acting(
-        sources,
-        {.cells = box().cells, .dt = dt, .substeps = report.substeps, .plants = canopy_, .parallel_for = &config_.parallel_for});
+    const Acting acting(sources, {.cells = box().cells,
+                                  .dt = dt,
+                                  .substeps = report.substeps,
+                                  .plants = canopy_,
+                                  .deposits = drag_,
+                                  .parallel_for = &config_.parallel_for});
     const bool gusting = around_.gusting();
     const auto prescribed_wind = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(0.0f);
@@ -318,17 +322,15 @@ bool Cells::acts_whole() const {
 // The classic split: drives and drag of the whole step before the advection.
 void Cells::act_whole(float dt) {
     sources.drive(air.velocity, config_.parallel_for);
-    if (!(canopy_.drag > 0.0f))
+    const DragRows rows{canopy_, drag_, box().cells};
+    if (!rows.any())
         return;
-    const glm::ivec3 cells = box().cells;
-    config_.parallel_for(cells.z, [&](int k) {
-        for (int j = 0; j < cells.y; ++j) {
-            const float way = dt * canopy_.drag_of(j);
-            if (!(way > 0.0f))
-                continue;
+    config_.parallel_for(box().cells.z, [&](int k) {
+        for (int j = 0; j < box().cells.y; ++j) {
+            const DragRows::Row drag = rows.at(j, k);
             glm::vec4* const row = &air.velocity[box().index(0, j, k)];
-            for (int i = 0; i < cells.x; ++i)
-                row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), way), 0.0f);
+            for (int i = drag.low; i < drag.high; ++i)
+                row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), dt * drag.of(i)), 0.0f);
         }
     });
 }

@@ -178,7 +178,8 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
-        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) | obstacle_flags();
+        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) |
+        bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
@@ -386,6 +387,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         place_obstacles(commands, step.obstacles, early(0));
     inside_is_air_ = false;
     renew_layer(commands, step, places);
+    renew_drag(commands, step);
     WindrowStep block = block_of(*step.ambient, *step.window, step);
     block.recorded_substeps = substeps;
     block.shift = glm::ivec3(0);

@@ -157,6 +157,8 @@ class Air {
     [[nodiscard]] bool stepped() const { return stepped_; }
     /// The last step did without the obstacles, for which there was no memory; the next one tries again.
     [[nodiscard]] bool lacks_obstacles() const { return place_again_; }
+    /// The same of deposits of drag.
+    [[nodiscard]] bool lacks_drag() const { return lacks_drag_; }
     /// Rooms that the last step's volume sources blow into; 0: each can let its air out.
     [[nodiscard]] int sealed_sources() const { return sealed_sources_; }
     /// Most in a sub-step of the last step.
@@ -246,6 +248,11 @@ class Air {
     [[nodiscard]] bool rough() const { return config_.roughness && config_.stages.diffusion; }
     /// `placed`: the obstacles were placed again.
     void renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed);
+    // Deposits of drag (air_drag.cpp)
+    /// Uploads what has changed since the last step.
+    void renew_drag(VkCommandBuffer commands, const CellStep& step);
+    [[nodiscard]] bool make_room_for_drag();
+    void upload_drag(VkCommandBuffer commands, const DragCells& drag, const detail::CellRange& range);
     /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
     // What is shown (air_shown.cpp)
@@ -298,7 +305,12 @@ class Air {
     std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
     std::vector<float> layer_wanted_;            ///< scratch
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
-    glm::ivec3 unplaced_shift_{0};               ///< [cells] of the box since the obstacles were placed
+    std::vector<float> drag_words_;              ///< scratch, as `drag_copies_`
+    std::vector<VkBufferCopy> drag_copies_;
+    bool drag_stale_ = true;  ///< Fields::drag does not hold what the last step had
+    bool holds_drag_ = false; ///< some deposit meets the box, and the field has it
+    bool lacks_drag_ = false;
+    glm::ivec3 unplaced_shift_{0}; ///< [cells] of the box since the obstacles were placed
     bool place_again_ = false;
     bool inside_is_air_ = false;                     ///< cells of `placed_` were filled since, and do not hold their velocity
     std::uint32_t surface_room_ = 0, face_room_ = 0; ///< surface cells and faces that Fields::around holds

@@ -163,7 +163,7 @@ void Air::forget() {
     tile_.reset();
     layer_written_.clear();
     solids_.reset();
-    place_again_ = reading_stale_ = true;
+    place_again_ = reading_stale_ = drag_stale_ = true;
     shapes_.reset();
     shift_.reset();
     fresh_ = true;

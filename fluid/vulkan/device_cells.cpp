@@ -76,7 +76,7 @@ bool DeviceCells::materialise_gusts() {
 
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     materialise_gusts();
-    rest.begin_tick(step.tick, !step.motors.empty() || step.renews_sources, step.ambient->uniform());
+    rest.begin_tick(step.tick, !step.motors.empty() || step.drag.any() || step.renews_sources, step.ambient->uniform());
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};
     if (dictated) {
@@ -87,7 +87,7 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
         tick = {.substeps = static_cast<std::uint8_t>(recorded.substeps), .limits = recorded.limits, .rests = rests(step)};
     }
     air->step(commands_, step, {.substeps = tick.substeps, .limits = tick.limits});
-    report.out_of_memory = air->lacks_obstacles();
+    report.out_of_memory = air->lacks_obstacles() || air->lacks_drag();
     report.sealed_sources = air->sealed_sources();
     report.sealed_rooms = air->sealed_rooms();
     if (const Solids* const solids = air->solids())

@@ -53,6 +53,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.potential, "potential", cells * sizeof(float));
     make(fields.sums, "sums", sizes.sums * sizeof(glm::vec2));
     make(fields.solids, "solids", sizeof(WindrowSolids) + sizeof(vec4));
+    make(fields.drag, "drag", sizeof(vec4));
     make(fields.reading, "reading", sizeof(WindrowReading));
     make(fields.around, "around", sizeof(WindrowAround) + sizeof(vec4));
     make(fields.correction, "correction", sizeof(vec4));

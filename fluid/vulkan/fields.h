@@ -6,6 +6,7 @@
 //   history, force, drives, source_flow, arrived, diffused, before              16 N each
 //   padded                                                                      32 P, 48 P with gusts
 //   expansion, hat, potential                                                   4 N each
+//   drag                                                                        8 N, with the first deposit
 #pragma once
 
 #include "fluid/box.h"
@@ -46,6 +47,8 @@ struct Fields {
     /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
     /// and the sum of those before it, the direction.
     Buffer solids, around, correction, direction;
+    /// Of deposits: c [1/m] of each cell, and behind them cells on their way; a stand-in until there is one.
+    Buffer drag;
     Buffer reading;            ///< tables of SurfaceReading; a stand-in until there are some
     Buffer layer;              ///< over rough ground: tables of SurfaceLayer
     Buffer points;             ///< WindrowPoint; empty without

@@ -193,7 +193,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.velocity, f.history, f.source_flow, f.before, f.tile));
     a_cell(Pass::sources, words::sources,
            of(f.step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, f.motors, f.tile,
-              f.solids));
+              f.solids, f.drag));
     a_cell(Pass::source_flow, words::source_flow,
            of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, f.motors, f.correction, f.direction,
               f.solids, f.around));
@@ -210,11 +210,11 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                  of(f.step, f.control, f.velocity, f.force, f.source_flow, f.layer, f.diffused, f.tile, f.solids));
     a_padded_cell(Pass::pad, words::pad,
                   of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
-                     f.tile, f.solids));
+                     f.tile, f.solids, f.drag));
     for (const bool one_sided : settings.obstacles ? std::vector{false, true} : std::vector{false})
         over(cell, over_cells, {yes(one_sided)})(one_sided ? Pass::advect_one_sided : Pass::advect, words::advect,
                                                  of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
-                                                    f.source_flow, f.arrived, f.tile, f.solids));
+                                                    f.source_flow, f.arrived, f.tile, f.solids, f.drag));
     a_plane(Pass::modes_forward, words::modes_forward,
             of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors, f.solids, f.around, f.tile));
     a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));

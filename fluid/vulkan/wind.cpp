@@ -303,6 +303,18 @@ Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
     return state.read_backs.force_on(*state.cells.air, id.slot, id.generation);
 }
 
+Result<DragForce> Wind::force_on(DragId id) const {
+    const State& state = *state_;
+    if (auto known = state.core.drag.check(id); !known)
+        return known.failure();
+    if (state.settings.queries != ReadBack::cells)
+        return Error{"no cells come back from the device: create the wind with Settings::queries of cells."};
+    const auto read = queried();
+    if (!read)
+        return Error{"no cells have come back yet: record and submit a frame, wait for it, and ask again."};
+    return state.core.drag.force_on(id, state.read_backs.frame()->frame.window, state.core.config.boundaries, read->field());
+}
+
 Result<void> Wind::write_obstacles(std::span<float> cells) const {
     const RecordedFrame* const read = state_->read_backs.frame();
     const ReadBack kind = state_->settings.queries;

@@ -175,6 +175,9 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first Settings::forces in the
     /// box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose Settings::forces is 0.
     [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const override;
+    /// Of the cells of the last frame whose read-back is in, with ReadBack::cells. Rejects a handle that names no deposit, and a wind
+    /// whose cells do not come back, or have not yet.
+    [[nodiscard]] Result<DragForce> force_on(DragId id) const override;
     /// Obstacles where they are now, which the host rasterises for this call: in the box of `queried`, where all of its cells are
     /// read back; else in that of `origin`.
     Result<void> write_obstacles(std::span<float> cells) const override;

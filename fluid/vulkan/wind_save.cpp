@@ -118,6 +118,7 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
     core.ambient = from.core.ambient;
     core.motors = std::move(from.core.motors);
     core.obstacles = std::move(from.core.obstacles);
+    core.drag = std::move(from.core.drag);
     core.source_name = from.core.source_name;
     core.sleep = from.core.sleep;
     core.speed = from.core.speed;

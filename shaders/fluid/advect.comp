@@ -14,6 +14,7 @@ layout(std430, set = 0, binding = 5) readonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 6) readonly buffer History { vec4 history[]; };
 layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 11) readonly buffer Drag { float drag[]; };
 #define WINDROW_SOLIDS 10
 #include "fluid/prescribed.glsl"
 #include "fluid/ghosts.glsl"

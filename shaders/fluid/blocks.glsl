@@ -33,6 +33,7 @@
 #define WINDROW_THIN 524288         // a read may pass through a body
 #define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
 #define WINDROW_ROUGH 2097152       // the ground is rough
+#define WINDROW_DRAG 4194304        // deposits of drag are in the box
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {

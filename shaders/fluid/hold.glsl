@@ -1,14 +1,16 @@
-// Drives and canopy drag of a cell in a sub-step. Declare before: Drives as `drives`.
+// Drives and drag of a cell in a sub-step. Declare before: Drives as `drives`, the deposits' drag as `drag`.
 #include "numerics/canopy.glsl"
 #include "numerics/motors.glsl"
 #include "numerics/splitting.glsl"
 
-bool anything_holds() { return is_on(WINDROW_DRIVES) || tick.canopy_drag > 0.0f; }
+bool anything_holds() { return is_on(WINDROW_DRIVES | WINDROW_DRAG) || tick.canopy_drag > 0.0f; }
 
 WindrowHold hold_of(ivec3 cell, int at) {
     WindrowHold hold;
     hold.drives = is_on(WINDROW_DRIVES) ? (control.substep_duration / tick.duration) * drives[at] : vec4(0.0f);
-    hold.way = (0.5f * control.substep_duration) *
-               (tick.canopy_drag * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top));
+    float along = tick.canopy_drag * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top);
+    if (is_on(WINDROW_DRAG))
+        along += drag[at];
+    hold.way = (0.5f * control.substep_duration) * along;
     return hold;
 }

@@ -17,6 +17,7 @@ layout(std430, set = 0, binding = 6) readonly buffer SourceFlow { vec4 source_fl
 layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
+layout(std430, set = 0, binding = 12) readonly buffer Drag { float drag[]; };
 #define WINDROW_SOLIDS 11
 #include "fluid/prescribed.glsl"
 #include "fluid/ghosts.glsl"

@@ -20,6 +20,7 @@ layout(std430, set = 0, binding = 6) writeonly buffer Force { vec4 force[]; };
 layout(std430, set = 0, binding = 7) writeonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Expansion { float expansion[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Motors { WindrowMotor motors[]; };
+layout(std430, set = 0, binding = 12) readonly buffer Drag { float drag[]; };
 
 #define WINDROW_SOLIDS 11
 #include "fluid/solids.glsl"
@@ -119,8 +120,10 @@ void main() {
         if (is_on(WINDROW_KEEPS))
             before[at] = u;
         if (is_on(WINDROW_STABLE_FLUIDS)) {
-            const float way =
+            float way =
                 tick.canopy_drag * tick.duration * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top);
+            if (is_on(WINDROW_DRAG))
+                way += tick.duration * drag[at];
             u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
             if (driven.w > 0.0f || way > 0.0f)
                 velocity[now(at)] = u;

@@ -11,7 +11,7 @@ from c_header import Header
 
 BY_HAND = {"windrow_set_allocator", "windrow_set_logger", "windrow_thread_pool_destroy", "windrow_scene_parse"}
 FILLED_BY_HAND = {"windrow_parallel_for", "windrow_spring_batch", "windrow_cascade_batch", "windrow_skin", "windrow_ground_step",
-                  "windrow_query", "windrow_vdb_grid", "windrow_vdb_film", "windrow_vdb_scalar", "windrow_vdb_vector", "windrow_rows", "windrow_motor_id", "windrow_obstacle_id",
+                  "windrow_query", "windrow_vdb_grid", "windrow_vdb_film", "windrow_vdb_scalar", "windrow_vdb_vector", "windrow_rows", "windrow_motor_id", "windrow_obstacle_id", "windrow_drag_id",
                   "windrow_saved_part", "windrow_transport", "windrow_scalar_transport"}
 # Entries of the arrays whose number no parameter `count` tells.
 LENGTHS = {

@@ -209,7 +209,9 @@ void fill(World& world, windrow_saved_part& part) {
 void fill(World& world, windrow_motor_id& id) {
     world.any_id(id, world.motors());
 }
-
+void fill(World& world, windrow_drag_id& id) {
+    world.any_id(id, world.deposits());
+}
 void fill(World& world, windrow_obstacle_id& id) {
     world.any_id(id, world.obstacles());
 }

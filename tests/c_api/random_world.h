@@ -107,6 +107,8 @@ class World {
             motors_.push_back(*value);
         if constexpr (std::is_same_v<Kind, windrow_obstacle_id>)
             obstacles_.push_back(*value);
+        if constexpr (std::is_same_v<Kind, windrow_drag_id>)
+            deposits_.push_back(*value);
     }
     template <class Id>
     void any_id(Id& value, const std::vector<Id>& known) {
@@ -116,6 +118,7 @@ class World {
     }
     const std::vector<windrow_motor_id>& motors() const { return motors_; }
     const std::vector<windrow_obstacle_id>& obstacles() const { return obstacles_; }
+    const std::vector<windrow_drag_id>& deposits() const { return deposits_; }
     windrow_velocity_at velocity_at() {
         if (one_in(20))
             return nullptr;
@@ -150,6 +153,7 @@ class World {
     bool worked_ = false, loaded_ = false;
     std::vector<windrow_motor_id> motors_;
     std::vector<windrow_obstacle_id> obstacles_;
+    std::vector<windrow_drag_id> deposits_;
     std::vector<std::string> saved_; // bytes of winds and of logs
     std::tuple<std::vector<windrow_thread_pool*>, std::vector<windrow_mesh*>, std::vector<windrow_voxels*>,
                std::vector<windrow_height_map*>, std::vector<windrow_gust_tile*>, std::vector<windrow_bytes*>,

@@ -147,12 +147,14 @@ class Tables {
 TEST(Tables, AreThoseThatBindingsAreMadeFrom) {
     Tables tables;
     tables.add<Config, Sampling, AmbientWind::Settings, Diagnostics>();
-    tables.add<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor, Obstacle>();
+    tables.add<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor, Obstacle, PlantDrag,
+               BeltDrag>();
     tables
         .add<Drag, BladeSettings, ShellSettings, TreeClasses, TreePart, SpringClass, FlutterClass, CascadeConfig, GroundConfig>();
     tables.add_choice("Region", k_alternatives<Region>);
     tables.add_choice("Law", k_alternatives<std::variant<Force, Drive>>);
     tables.add_choice("Motor", k_alternatives<Motor>);
+    tables.add_choice("DragDeposit", k_alternatives<DragDeposit>);
     tables.add_choice("Shape", k_alternatives<Shape>);
     tables.add_choice("Beyond", k_words<Beyond>);
     test::expect_file(std::filesystem::path(WINDROW_SOURCE_DIR) / "c_api/tables.json", tables.text());

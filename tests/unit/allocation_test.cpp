@@ -185,6 +185,11 @@ TEST_F(Allocations, OfAWindsCalls) {
             fail_each("advance", make, [](HostedWind& s) { return s.wind.advance(0.12); });
             fail_each("advance with a vent", with_vent, [](HostedWind& s) { return s.wind.advance(0.12); });
             fail_each("advance beyond all ticks", make, [](HostedWind& s) { return s.wind.advance(3.0); });
+            fail_each("add a deposit", make, [](HostedWind& s) { return s.wind.drag().add(PlantDrag{}); });
+            fail_each("add deposits", make, [](HostedWind& s) {
+                const DragDeposit deposits[] = {PlantDrag{}, BeltDrag{}, PlantDrag{.radius = 3.0f}};
+                return s.wind.drag().add(deposits);
+            });
             fail_each("set_ambient", make, [](HostedWind& s) { return s.wind.set_ambient({-2.0f, 0.0f, 4.0f}); });
             fail_each("set_gusts", make, [](HostedWind& s) { return s.wind.set_gusts({.intensity = 0.2f}); });
             fail_each("set_gusts of a seed", make,

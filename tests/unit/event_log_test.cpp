@@ -60,13 +60,19 @@ Obstacle random_obstacle(Random& random) {
             .surface = static_cast<Surface>(random.integer(0, 1))};
 }
 
+DragDeposit random_deposit(Random& random) {
+    if (random.integer(0, 1) == 0)
+        return PlantDrag{.position = random.point(6.0), .radius = random.uniform(0.1f, 3.0f), .area = random.uniform(0.0f, 5.0f)};
+    return BeltDrag{.start = random.point(6.0), .end = random.point(6.0), .width = random.uniform(0.1f, 3.0f)};
+}
+
 /// Any call that a host can make, with handles that may be stale: what is rejected leaves no trace in the log.
 class AnyHost {
   public:
     AnyHost(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
 
     void call() {
-        switch (random_.integer(0, 26)) {
+        switch (random_.integer(0, 28)) {
         case 26:
             (void)wind_.shift_origin(glm::round(random_.point(30.0)));
             return;
@@ -129,6 +135,18 @@ class AnyHost {
         case 22:
             (void)wind_.obstacles().move(some_obstacle(), random_.point(6.0), random_turn(random_));
             return;
+        case 23:
+            if (const auto id = wind_.drag().add(random_deposit(random_)))
+                deposits_.push_back(*id);
+            return;
+        case 24:
+            if (!deposits_.empty())
+                (void)wind_.drag().set(deposits_.back(), random_deposit(random_));
+            return;
+        case 25:
+            if (!deposits_.empty() && random_.integer(0, 2) == 0) // else it stays, to be seen
+                (void)wind_.drag().remove(deposits_.back());
+            return;
         default:
             (void)wind_.motors().move(some_motor(), random_.point(6.0));
             return;
@@ -163,6 +181,7 @@ class AnyHost {
     Random random_;
     std::vector<MotorId> motors_;
     std::vector<ObstacleId> obstacles_;
+    std::vector<DragId> deposits_;
 };
 
 /// A session of calls that were accepted, from the middle of a flight on.

@@ -22,7 +22,7 @@ TEST(ObstacleForce, RejectsHandlesThatNameNone) {
               "obstacle 0 of generation 1 does not exist (removed, or never added): use the handle that add() returned.");
     ASSERT_TRUE(wind.obstacles().add({}));
     EXPECT_FALSE(wind.force_on(body)) << "of what came after it";
-    EXPECT_FALSE(wind.force_on({}));
+    EXPECT_FALSE(wind.force_on(ObstacleId{}));
     const ObstacleId first = *made({.cells = {8, 8, 8}}).obstacles().add({});
     EXPECT_EQ(other.force_on(first).error(),
               "obstacle 0 of generation 1 belongs to another wind: use the handle that add() of this one returned.");

@@ -7,7 +7,7 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-Wind noisy(const Config& config) {
+Wind noisy_wind(const Config& config) {
     Wind wind = made(config);
     EXPECT_TRUE(wind.set_velocity(white_noise(config.cells, 3.0f, 131)));
     return wind;
@@ -35,7 +35,7 @@ Config with(const std::function<void(Config&)>& change) {
 }
 
 TEST(Stages, WithAllOffNothingMoves) {
-    Wind wind = noisy(with([](Config& c) { c.stages = k_no_stages; }));
+    Wind wind = noisy_wind(with([](Config& c) { c.stages = k_no_stages; }));
     blow(wind);
     const Field before = copy(wind.field());
     for (int n = 0; n < 20; ++n)
@@ -47,7 +47,7 @@ TEST(Stages, OffEqualsItsParameterOff) {
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
         for (const bool advection : {true, false}) {
             const auto base = [&](const std::function<void(Config&)>& change) {
-                return noisy(with([&](Config& c) {
+                return noisy_wind(with([&](Config& c) {
                     c.scheme = scheme;
                     c.stages.advection = advection;
                     change(c);
@@ -74,7 +74,7 @@ TEST(Stages, OffEqualsItsParameterOff) {
 }
 
 TEST(Stages, WithoutAdvectionNothingIsCarried) {
-    Wind wind = noisy(with([](Config& c) {
+    Wind wind = noisy_wind(with([](Config& c) {
         c.stages = k_no_stages;
         c.stages.sources = true;
     }));
@@ -105,7 +105,7 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
 
 TEST(Stages, SettlingAloneIsItsImplicitFactor) {
     const glm::vec3 ambient(1.0f, 0.5f, 0.0f);
-    Wind wind = noisy(with([](Config& c) {
+    Wind wind = noisy_wind(with([](Config& c) {
         c.stages = k_no_stages;
         c.stages.relaxation = true;
     }));
@@ -122,7 +122,7 @@ TEST(Stages, SettlingAloneIsItsImplicitFactor) {
 }
 
 TEST(Stages, ProjectionAloneTakesTheDivergenceAndNothingElse) {
-    Wind wind = noisy(with([](Config& c) {
+    Wind wind = noisy_wind(with([](Config& c) {
         c.stages = k_no_stages;
         c.stages.projection = true;
     }));
@@ -140,7 +140,7 @@ TEST(Stages, WithoutProjectionADivergentWindStaysSo) {
         for (std::size_t row = 0; row < 90; ++row)
             source[row * 12 + static_cast<std::size_t>(i)].x = 0.1f * std::sin(0.523599f * (static_cast<float>(i) + 0.5f));
     const auto share_left = [&](bool projection) {
-        Wind air = noisy(with([&](Config& c) {
+        Wind air = noisy_wind(with([&](Config& c) {
             c.stages = k_no_stages;
             c.stages.advection = true;
             c.stages.projection = projection;
@@ -157,7 +157,7 @@ TEST(Stages, WithoutProjectionADivergentWindStaysSo) {
 
 TEST(Stages, ResetIsAFreshSolverInPlace) {
     const Config config = with([](Config&) {});
-    Wind used = noisy(config);
+    Wind used = noisy_wind(config);
     blow(used);
     take_steps(used, 5, 0.05);
     used.reset();

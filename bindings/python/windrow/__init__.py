@@ -23,7 +23,7 @@ from .operators import Workspace
 from .plants import Blades, Shells, Springs, bend_angle, drag_of, plant_keys, spring_of
 from .scene import Scene
 from .settings import *  # noqa: F403
-from .wind import EventLog, MotorId, Motors, ObstacleId, Obstacles, ThreadPool, Wind
+from .wind import DragField, DragId, EventLog, MotorId, Motors, ObstacleId, Obstacles, ThreadPool, Wind
 
 
 def has_part(part: str) -> bool:

@@ -23,10 +23,10 @@ Surface = Literal["free_slip", "no_slip"]
 
 __all__ = [
     "Sampling", "Boundary", "Boundaries", "LogProfile", "Gusts", "Canopy", "RoughnessMap", "Roughness", "Rows",
-    "Config", "SpringClass", "Envelope", "Turbulence", "DirectionalMotor", "WakeMotor", "JetMotor", "VortexMotor",
-    "OmniMotor", "PressureMotor", "Obstacle", "Drag", "BladeSettings", "ShellSettings", "StageTimes", "Diagnostics",
-    "Advance", "Box", "ObstacleForce", "BoundaryKind", "DiffusionMethod", "Interpolation", "Scheme", "Simd",
-    "Surface",
+    "Config", "PlantDrag", "BeltDrag", "SpringClass", "Envelope", "Turbulence", "DirectionalMotor", "WakeMotor",
+    "JetMotor", "VortexMotor", "OmniMotor", "PressureMotor", "Obstacle", "Drag", "BladeSettings", "ShellSettings",
+    "StageTimes", "Diagnostics", "Advance", "Box", "ObstacleForce", "DragForce", "BoundaryKind", "DiffusionMethod",
+    "Interpolation", "Scheme", "Simd", "Surface",
 ]
 
 
@@ -302,6 +302,50 @@ class Config(Settings):
     """[m/s] 0 (never) to 1e9. An obstacle or a wake that is moved faster has jumped: it is at its new place at
     once, at rest, and pushes no air on the way (Diagnostics.jumps). Default 100: above what moves in a game's air,
     below a respawn over two metres."""
+
+
+@dataclass(kw_only=True, slots=True)
+class PlantDrag(Settings):
+    """A plant, or anything porous that a box along the axes surrounds: a bush, a crown, a net."""
+
+    _struct: ClassVar = _c.PlantDrag
+    _init: ClassVar = "windrow_plant_drag_init"
+
+    radius: float = 1.0
+    """[m] A number above 0, at most 10000. Half of its width along x and z. Below one cell its drag is spread over
+    two cells."""
+    position: Vec3 = (0.0, 0.0, 0.0)
+    """[m] Each component -1e12 to 1e12. Its foot."""
+    base: float = 0.0
+    """[m] 0 to 10000. Height of its lowest leaves over its foot, below `height`: 0 for a bush, the bare stem of a
+    tree."""
+    height: float = 2.0
+    """[m] A number above 0, at most 10000. Height of its top over its foot."""
+    area: float = 2.0
+    """[m^2] 0 (none) to 1e6. Drag area: drag coefficient times frontal area, of all leaves and twigs together. The
+    default is half of the default's front of 4 m^2."""
+
+
+@dataclass(kw_only=True, slots=True)
+class BeltDrag(Settings):
+    """A hedge, a row of trees, a fence, a net: a strip between two places."""
+
+    _struct: ClassVar = _c.BeltDrag
+    _init: ClassVar = "windrow_belt_drag_init"
+
+    width: float = 2.0
+    """[m] A number above 0, at most 10000. Thickness, across its length. Below two cells its drag is spread over
+    two cells."""
+    start: Vec3 = (-5.0, 0.0, 0.0)
+    """[m] Each component -1e12 to 1e12. Its foot at one end."""
+    end: Vec3 = (5.0, 0.0, 0.0)
+    """[m] Each component -1e12 to 1e12. Its foot at the other end, 1 mm to 1e4 m away along x and z. Between them
+    the foot rises evenly."""
+    height: float = 2.0
+    """[m] A number above 0, at most 10000. Height over its foot."""
+    resistance: float = 2.0
+    """0 (none) to 10000. Sum of c across its thickness, half of the pressure loss coefficient of a screen: 2 is a
+    fence that is half open (Wilson 1985)."""
 
 
 @dataclass(kw_only=True, slots=True)
@@ -750,3 +794,16 @@ class ObstacleForce(Settings):
     """[Pa]"""
     in_box: int = 0
     """1; 0: no part of it was in the box, and all else is 0."""
+
+
+@dataclass(kw_only=True, slots=True)
+class DragForce(Settings):
+    """What the air does to a deposit."""
+
+    _struct: ClassVar = _c.DragForce
+    _init: ClassVar = "windrow_drag_force_init"
+
+    force: Vec3 = (0.0, 0.0, 0.0)
+    """[N]"""
+    in_box: float = 0.0
+    """fraction of its drag area that the force is of: the rest is outside of the cells that are read"""

@@ -1,4 +1,4 @@
-"""The wind in a box that follows a player, with its motors and obstacles."""
+"""The wind in a box that follows a player, with its motors, obstacles and deposits of drag."""
 from __future__ import annotations
 
 import ctypes
@@ -12,8 +12,8 @@ import numpy.typing as npt
 from . import _c
 from ._library import Handle, WindrowError, check, fail, library, taken_bytes
 from ._values import Floats, Quat, Vec3, _choice, _numbers, as_array, data, field, number, of_class, pointer, text, view, whole
-from .settings import (Advance, Boundaries, Box, Config, Diagnostics, DirectionalMotor, Gusts, JetMotor, Obstacle, ObstacleForce,
-                       OmniMotor, PressureMotor, Sampling, VortexMotor, WakeMotor)
+from .settings import (Advance, BeltDrag, Boundaries, Box, Config, Diagnostics, DirectionalMotor, DragForce, Gusts, JetMotor,
+                       Obstacle, ObstacleForce, OmniMotor, PlantDrag, PressureMotor, Sampling, VortexMotor, WakeMotor)
 
 Motor = Union[DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor]
 Frame = Literal["now", "previous"]
@@ -21,6 +21,7 @@ FieldFormat = Literal["fga", "vf", "raw", "npz", "vti"]
 _FRAMES = ("now", "previous")
 _MOTORS = {DirectionalMotor: "directional", WakeMotor: "wake", JetMotor: "jet", VortexMotor: "vortex", OmniMotor: "omni",
            PressureMotor: "pressure"}
+_DEPOSITS = {PlantDrag: "plant", BeltDrag: "belt"}
 _KINDS = tuple(_MOTORS.values())
 I = TypeVar("I", bound="_Id")
 
@@ -191,6 +192,65 @@ class Obstacles:
         return int(library.windrow_wind_obstacle_count(self._handle.pointer))
 
 
+class DragId(_Id):
+    """Names a deposit of drag of one wind."""
+
+    __slots__ = ()
+    _struct = _c.DragId
+
+
+class DragField:
+    """The deposits of a wind, at most 262144: plants, hedges, fences and nets that slow the air."""
+
+    def __init__(self, handle: Handle) -> None:
+        self._handle = handle
+
+    def _call(self, what: str, deposit: PlantDrag | BeltDrag) -> tuple[Any, Any]:
+        kind = _DEPOSITS.get(type(deposit))
+        if kind is None:
+            raise WindrowError(f"deposit is {deposit!r}: give a PlantDrag or a BeltDrag.")
+        return getattr(library, f"windrow_wind_{what}_{kind}_drag"), deposit._to_c([])
+
+    def add(self, deposit: PlantDrag | BeltDrag) -> DragId:
+        """Adds a deposit; the id names it in the calls below."""
+        call, struct = self._call("add", deposit)
+        name = _c.DragId()
+        check(call(self._handle.pointer, ctypes.byref(struct), ctypes.byref(name)))
+        return DragId(name)
+
+    def add_plants(self, plants: Sequence[PlantDrag]) -> list[DragId]:
+        """Adds many plants in one call: all of them or, where one is rejected, none."""
+        plants = [of_class("plant", plant, PlantDrag) for plant in list(plants)]
+        structs = (_c.PlantDrag * len(plants))(*[plant._to_c([]) for plant in plants])
+        names = (_c.DragId * len(plants))()
+        check(library.windrow_wind_add_plants(self._handle.pointer, structs, len(plants), names))
+        return [DragId(_c.DragId(name.slot, name.generation, name.owner)) for name in names]
+
+    def set(self, deposit: DragId, to: PlantDrag | BeltDrag) -> None:
+        """Replaces a deposit whole; its kind may change."""
+        call, struct = self._call("set", to)
+        check(call(self._handle.pointer, of_class("deposit", deposit, DragId)._id, ctypes.byref(struct)))
+
+    def remove(self, deposit: DragId) -> None:
+        """Takes a deposit out of the air."""
+        check(library.windrow_wind_remove_drag(self._handle.pointer, of_class("deposit", deposit, DragId)._id))
+
+    def __contains__(self, deposit: object) -> bool:
+        if not isinstance(deposit, DragId):
+            return False
+        kind = ctypes.c_int32()
+        return bool(library.windrow_wind_drag_kind(self._handle.pointer, deposit._id, ctypes.byref(kind)) == _c.OK)
+
+    def force_on(self, deposit: DragId) -> DragForce:
+        """What the air does to it, by the cells as they are after the last step."""
+        struct = DragForce()._to_c([])
+        check(library.windrow_wind_drag_force_on(self._handle.pointer, of_class("deposit", deposit, DragId)._id, ctypes.byref(struct)))
+        return DragForce._from_c(struct)
+
+    def __len__(self) -> int:
+        return int(library.windrow_wind_drag_count(self._handle.pointer))
+
+
 class EventLog:
     """Every accepted call that changed a wind, to repeat them: `wind.record_to(log)`, then `log.replay(another)`."""
 
@@ -265,6 +325,7 @@ class Wind:
         self._copies = False
         self.motors = Motors(handle)
         self.obstacles = Obstacles(handle)
+        self.drag = DragField(handle)
         cells = self.box.cells  # for good
         self._cells = (cells[2], cells[1], cells[0])
 

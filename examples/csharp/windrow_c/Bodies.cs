@@ -11,6 +11,7 @@ namespace Windrow
         Ground = 7 }
     public enum Beyond { Edge = 0, Nothing = 1 }
     public enum Surface { FreeSlip = 0, NoSlip = 1 }
+    public enum DragKind { Plant = 0, Belt = 1 }
 
     [StructLayout(LayoutKind.Sequential)]
     public partial struct MotorId
@@ -173,6 +174,45 @@ namespace Windrow
         [DllImport(Native.Library)] private static extern int windrow_obstacle_force_init(out ObstacleForce it, uint size);
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DragId
+    {
+        public uint Slot, Generation, Owner;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct PlantDrag
+    {
+        public uint StructSize;
+        public float Radius;
+        public DVec3 Position;
+        public float Base, Height, Area;
+        public uint Reserved;
+        public static PlantDrag Default() { return Native.Filled<PlantDrag>(windrow_plant_drag_init); }
+        [DllImport(Native.Library)] private static extern int windrow_plant_drag_init(out PlantDrag it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct BeltDrag
+    {
+        public uint StructSize;
+        public float Width;
+        public DVec3 Start, End;
+        public float Height, Resistance;
+        public static BeltDrag Default() { return Native.Filled<BeltDrag>(windrow_belt_drag_init); }
+        [DllImport(Native.Library)] private static extern int windrow_belt_drag_init(out BeltDrag it, uint size);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DragForce
+    {
+        public uint StructSize;
+        public Vec3 Force;
+        public float InBox;
+        public static DragForce Default() { return Native.Filled<DragForce>(windrow_drag_force_init); }
+        [DllImport(Native.Library)] private static extern int windrow_drag_force_init(out DragForce it, uint size);
+    }
+
     public static partial class Calls
     {
         [DllImport(Native.Library)]
@@ -305,5 +345,33 @@ namespace Windrow
         public static extern Result windrow_obstacle_force_init(IntPtr force, uint struct_size);
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_force_on(IntPtr wind, ObstacleId id, IntPtr force);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_plant_drag_init(IntPtr plant, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_belt_drag_init(IntPtr belt, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_plant_drag(IntPtr wind, IntPtr plant, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_belt_drag(IntPtr wind, IntPtr belt, IntPtr id);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_add_plants(IntPtr wind, IntPtr plants, ulong count, IntPtr ids);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_plant_drag(IntPtr wind, DragId id, IntPtr plant);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_set_belt_drag(IntPtr wind, DragId id, IntPtr belt);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_plant_drag(IntPtr wind, DragId id, IntPtr plant);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_get_belt_drag(IntPtr wind, DragId id, IntPtr belt);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_drag_kind(IntPtr wind, DragId id, IntPtr kind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_remove_drag(IntPtr wind, DragId id);
+        [DllImport(Native.Library)]
+        public static extern int windrow_wind_drag_count(IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_drag_force_init(IntPtr force, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_drag_force_on(IntPtr wind, DragId id, IntPtr force);
     }
 }

@@ -15,6 +15,7 @@ pub const SHAPE_BLOCK: ShapeKind = 2; pub const SHAPE_CYLINDER: ShapeKind = 3; p
 pub const SHAPE_MESH: ShapeKind = 5; pub const SHAPE_VOXELS: ShapeKind = 6; pub const SHAPE_GROUND: ShapeKind = 7;
 pub type Beyond = i32; pub const BEYOND_EDGE: Beyond = 0; pub const BEYOND_NOTHING: Beyond = 1;
 pub type Surface = i32; pub const SURFACE_FREE_SLIP: Surface = 0; pub const SURFACE_NO_SLIP: Surface = 1;
+pub type DragKind = i32; pub const DRAG_PLANT: DragKind = 0; pub const DRAG_BELT: DragKind = 1;
 
 
 #[repr(C)]
@@ -121,6 +122,31 @@ pub struct ObstacleForce {
     pub struct_size: u32, pub force: Vec3, pub moment: Vec3, pub pressure: f32, pub in_box: i32,
 }
 
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DragId {
+    pub slot: u32, pub generation: u32, pub owner: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PlantDrag {
+    pub struct_size: u32, pub radius: f32, pub position: DVec3, pub base: f32, pub height: f32, pub area: f32,
+    pub reserved: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct BeltDrag {
+    pub struct_size: u32, pub width: f32, pub start: DVec3, pub end: DVec3, pub height: f32, pub resistance: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DragForce {
+    pub struct_size: u32, pub force: Vec3, pub in_box: f32,
+}
+
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<MotorId>() == 12); assert!(size_of::<Region>() == 52); assert!(size_of::<Law>() == 16);
@@ -129,7 +155,8 @@ const _: () = {
     assert!(size_of::<JetMotor>() == 96); assert!(size_of::<VortexMotor>() == 88);
     assert!(size_of::<OmniMotor>() == 56); assert!(size_of::<PressureMotor>() == 40); assert!(size_of::<Shape>() == 80);
     assert!(size_of::<Obstacle>() == 128); assert!(size_of::<ObstacleId>() == 12);
-    assert!(size_of::<ObstacleForce>() == 36);
+    assert!(size_of::<ObstacleForce>() == 36); assert!(size_of::<DragId>() == 12);
+    assert!(size_of::<PlantDrag>() == 48); assert!(size_of::<BeltDrag>() == 64); assert!(size_of::<DragForce>() == 20);
 };
 
 #[link(name = "windrow")]
@@ -208,4 +235,20 @@ extern "C" {
     pub fn windrow_wind_obstacle_count(wind: *const c_void) -> i32;
     pub fn windrow_obstacle_force_init(force: *mut ObstacleForce, struct_size: u32) -> ResultCode;
     pub fn windrow_wind_force_on(wind: *const c_void, id: ObstacleId, force: *mut ObstacleForce) -> ResultCode;
+    pub fn windrow_plant_drag_init(plant: *mut PlantDrag, struct_size: u32) -> ResultCode;
+    pub fn windrow_belt_drag_init(belt: *mut BeltDrag, struct_size: u32) -> ResultCode;
+    pub fn windrow_wind_add_plant_drag(wind: *mut c_void, plant: *const PlantDrag, id: *mut DragId) -> ResultCode;
+    pub fn windrow_wind_add_belt_drag(wind: *mut c_void, belt: *const BeltDrag, id: *mut DragId) -> ResultCode;
+    pub fn windrow_wind_add_plants(
+        wind: *mut c_void, plants: *const PlantDrag, count: u64, ids: *mut DragId
+    ) -> ResultCode;
+    pub fn windrow_wind_set_plant_drag(wind: *mut c_void, id: DragId, plant: *const PlantDrag) -> ResultCode;
+    pub fn windrow_wind_set_belt_drag(wind: *mut c_void, id: DragId, belt: *const BeltDrag) -> ResultCode;
+    pub fn windrow_wind_get_plant_drag(wind: *const c_void, id: DragId, plant: *mut PlantDrag) -> ResultCode;
+    pub fn windrow_wind_get_belt_drag(wind: *const c_void, id: DragId, belt: *mut BeltDrag) -> ResultCode;
+    pub fn windrow_wind_drag_kind(wind: *const c_void, id: DragId, kind: *mut DragKind) -> ResultCode;
+    pub fn windrow_wind_remove_drag(wind: *mut c_void, id: DragId) -> ResultCode;
+    pub fn windrow_wind_drag_count(wind: *const c_void) -> i32;
+    pub fn windrow_drag_force_init(force: *mut DragForce, struct_size: u32) -> ResultCode;
+    pub fn windrow_wind_drag_force_on(wind: *const c_void, id: DragId, force: *mut DragForce) -> ResultCode;
 }

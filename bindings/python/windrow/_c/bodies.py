@@ -11,6 +11,7 @@ SHAPE_SPHERE = 0; SHAPE_CAPSULE = 1; SHAPE_BLOCK = 2; SHAPE_CYLINDER = 3; SHAPE_
 SHAPE_VOXELS = 6; SHAPE_GROUND = 7
 BEYOND_EDGE = 0; BEYOND_NOTHING = 1
 SURFACE_FREE_SLIP = 0; SURFACE_NO_SLIP = 1
+DRAG_PLANT = 0; DRAG_BELT = 1
 
 
 class MotorId(c.Structure):
@@ -90,6 +91,24 @@ class ObstacleForce(c.Structure):
                 ("in_box", c.c_int32)]
 
 
+class DragId(c.Structure):
+    _fields_ = [("slot", c.c_uint32), ("generation", c.c_uint32), ("owner", c.c_uint32)]
+
+
+class PlantDrag(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("radius", c.c_float), ("position", DVec3), ("base", c.c_float),
+                ("height", c.c_float), ("area", c.c_float), ("reserved", c.c_uint32)]
+
+
+class BeltDrag(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("width", c.c_float), ("start", DVec3), ("end", DVec3),
+                ("height", c.c_float), ("resistance", c.c_float)]
+
+
+class DragForce(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("force", Vec3), ("in_box", c.c_float)]
+
+
 # Each function with the types of its result and of its arguments.
 BODIES = [
     ("windrow_region_sphere", Region, c.c_float),
@@ -156,4 +175,18 @@ BODIES = [
     ("windrow_wind_obstacle_count", c.c_int32, c.c_void_p),
     ("windrow_obstacle_force_init", c.c_int32, P(ObstacleForce), c.c_uint32),
     ("windrow_wind_force_on", c.c_int32, c.c_void_p, ObstacleId, P(ObstacleForce)),
+    ("windrow_plant_drag_init", c.c_int32, P(PlantDrag), c.c_uint32),
+    ("windrow_belt_drag_init", c.c_int32, P(BeltDrag), c.c_uint32),
+    ("windrow_wind_add_plant_drag", c.c_int32, c.c_void_p, P(PlantDrag), P(DragId)),
+    ("windrow_wind_add_belt_drag", c.c_int32, c.c_void_p, P(BeltDrag), P(DragId)),
+    ("windrow_wind_add_plants", c.c_int32, c.c_void_p, P(PlantDrag), c.c_uint64, P(DragId)),
+    ("windrow_wind_set_plant_drag", c.c_int32, c.c_void_p, DragId, P(PlantDrag)),
+    ("windrow_wind_set_belt_drag", c.c_int32, c.c_void_p, DragId, P(BeltDrag)),
+    ("windrow_wind_get_plant_drag", c.c_int32, c.c_void_p, DragId, P(PlantDrag)),
+    ("windrow_wind_get_belt_drag", c.c_int32, c.c_void_p, DragId, P(BeltDrag)),
+    ("windrow_wind_drag_kind", c.c_int32, c.c_void_p, DragId, P(c.c_int32)),
+    ("windrow_wind_remove_drag", c.c_int32, c.c_void_p, DragId),
+    ("windrow_wind_drag_count", c.c_int32, c.c_void_p),
+    ("windrow_drag_force_init", c.c_int32, P(DragForce), c.c_uint32),
+    ("windrow_wind_drag_force_on", c.c_int32, c.c_void_p, DragId, P(DragForce)),
 ]

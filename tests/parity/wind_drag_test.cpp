@@ -1,0 +1,90 @@
+// Deposits of drag on a device beside the scenario table: no dispatch more, what is uploaded, the load on a deposit, and a wind that
+// forgets.
+#include "tests/parity/wind_parity.h"
+
+#include <vector>
+
+namespace windrow::vulkan {
+namespace {
+
+class WindDrag : public WindParity {
+  protected:
+    static constexpr Settings k_settings{.texel = Texel::single, .queries = ReadBack::cells};
+    static Config config() { return {.cells = {16, 10, 14}, .ambient = {6.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}}; }
+    static constexpr PlantDrag k_bush{.position = {0.3, -2.0, 0.6}, .radius = 1.7f, .height = 3.0f, .area = 6.0f};
+
+    void step(Wind& wind) {
+        run([&](VkCommandBuffer commands) { (void)held(wind.record_step(commands, {.dt = 1.0 / 30.0, .slot = 0})); });
+        (void)wind.collect(0);
+    }
+};
+
+TEST_F(WindDrag, TakesNoDispatchMore) {
+    const auto dispatches = [&](bool plants) {
+        std::vector<int> counts;
+        auto made = Wind::create(sharing_host(), config(), k_settings);
+        EXPECT_TRUE(made && made->motors().add(DirectionalMotor{})); // else the air sleeps without plants
+        for (int n = 0; made && n < 8; ++n) {
+            if (plants && n % 3 == 1) {
+                EXPECT_TRUE(made->drag().add(k_bush));
+            }
+            if (n > 4) {
+                EXPECT_TRUE(made->follow({1.0 * n, 0.0, -0.3 * n}));
+            }
+            step(*made);
+            counts.push_back(made->dispatches());
+        }
+        return counts;
+    };
+    EXPECT_EQ(dispatches(true), dispatches(false));
+}
+
+TEST_F(WindDrag, HasTheForceOfTheCpu) {
+    auto made = Wind::create(sharing_host(), config(), k_settings);
+    ASSERT_TRUE(made) << made.error();
+    Wind& gpu = *made;
+    windrow::Wind cpu = *windrow::Wind::create(config());
+    const auto id = gpu.drag().add(k_bush);
+    ASSERT_TRUE(id && cpu.drag().add(k_bush));
+    EXPECT_NE(gpu.force_on(*id).error().find("no cells have come back yet"), std::string::npos);
+    for (int n = 0; n < 12; ++n) {
+        ASSERT_TRUE(gpu.follow({0.3 * n, 0.0, 0.0}) && cpu.follow({0.3 * n, 0.0, 0.0}));
+        step(gpu);
+        (void)cpu.step(1.0 / 30.0);
+    }
+    const auto found = gpu.force_on(*id), expected = cpu.force_on(id->unowned());
+    ASSERT_TRUE(found && expected);
+    EXPECT_GT(glm::length(expected->force), 10.0f);
+    WINDROW_EXPECT_FIGURE("wind_drag.force", glm::length(found->force - expected->force) / glm::length(expected->force), 2e-5);
+    EXPECT_EQ(found->in_box, expected->in_box);
+    Wind blind = *Wind::create(sharing_host(), config(), {});
+    const auto unseen = blind.drag().add(k_bush);
+    ASSERT_TRUE(unseen);
+    EXPECT_NE(blind.force_on(*unseen).error().find("Settings::queries of cells"), std::string::npos);
+    EXPECT_FALSE(blind.force_on(DragId{}));
+}
+
+// What was uploaded is not trusted any more: the next recording uploads all of it.
+TEST_F(WindDrag, IsUploadedAgainAfterForget) {
+    auto made = Wind::create(sharing_host(), config(), k_settings);
+    ASSERT_TRUE(made) << made.error();
+    Wind& gpu = *made;
+    windrow::Wind cpu = *windrow::Wind::create(config());
+    ASSERT_TRUE(gpu.drag().add(k_bush) && cpu.drag().add(k_bush));
+    const auto together = [&] {
+        step(gpu);
+        (void)cpu.step(1.0 / 30.0);
+        return apart(*gpu.cells(), cpu.field());
+    };
+    for (int n = 0; n < 4; ++n)
+        (void)together();
+    gpu.forget();
+    cpu.reset();
+    double worst = 0.0;
+    for (int n = 0; n < 8; ++n)
+        worst = std::max(worst, together());
+    WINDROW_EXPECT_FIGURE("wind_drag.after_forget", worst, 1e-5);
+}
+
+} // namespace
+} // namespace windrow::vulkan
