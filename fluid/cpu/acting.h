@@ -102,6 +102,12 @@ class Acting {
                     low = low < high ? std::min<int>(low, driven.low) : driven.low;
                     high = std::max<int>(high, driven.high);
                 }
+                if (force == nullptr && driven.low >= driven.high) { // drag alone
+                    for (int i = low; i < high; ++i)
+                        if (const float way = half * drag.of(i); way > 0.0f)
+                            visit(first + static_cast<std::size_t>(i), {i, j, k}, glm::vec3(0.0f), {glm::vec4(0.0f), way});
+                    continue;
+                }
                 for (int i = low; i < high; ++i) {
                     const glm::vec3 push = force != nullptr ? half * glm::vec3(force[i]) : glm::vec3(0.0f);
                     const float way = half * drag.of(i);

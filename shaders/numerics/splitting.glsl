@@ -34,13 +34,18 @@ WINDROW_FN float windrow_arriving_exponent(float exponent) {
 
 // u -> C(D(u)), at departure.
 WINDROW_FN vec3 windrow_held_departing(vec3 u, WindrowHold hold) {
-    vec3 driven = windrow_driven(u, hold.drives, hold.drives.w - windrow_arriving_exponent(hold.drives.w));
-    return windrow_canopy_slowed(driven, hold.way);
+    if (hold.drives.w > 0.0f)
+        u = windrow_driven(u, hold.drives, hold.drives.w - windrow_arriving_exponent(hold.drives.w));
+    return windrow_canopy_slowed(u, hold.way);
 }
 
 // w -> w', at arrival; `pressure` [m/s] is s q.
 WINDROW_FN vec3 windrow_held_arriving(vec3 arrived, vec3 pressure, WindrowHold hold) {
     vec3 free = arrived - pressure;
+    if (!(hold.drives.w > 0.0f)) { // the same without exponentials
+        float slowed = 1.0f / (1.0f + hold.way * length(free)), taken = 1.0f - slowed;
+        return free / (1.0f + hold.way * length(free)) + (1.0f - taken * taken) * pressure;
+    }
     float exponent = windrow_arriving_exponent(hold.drives.w);
     float kept = exp(-exponent) / (hold.way > 0.0f ? 1.0f + hold.way * length(free) : 1.0f);
     float lost = 1.0f - kept;
