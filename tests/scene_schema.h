@@ -46,6 +46,7 @@ inline constexpr const char* k_scene_with_every_key = R"({
         {"shape": {"mesh": {"file": "house.obj"}}}, {"shape": {"voxels": {"file": "tower.vox"}}},
         {"shape": {"ground": {"file": "ridge.pgm"}}}
     ],
+    "drag": [{"plant": {}}, {"belt": {}}],
     "smoke": [{}, {"path": "a"}]})";
 
 /// A key with all that is under it.

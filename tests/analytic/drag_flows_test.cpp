@@ -167,10 +167,12 @@ void expect_second_order(int finest) {
         for (std::size_t n = 0; n < same.size(); ++n)
             squares += glm::dot(same[n] - coarse[n], same[n] - coarse[n]);
         const double apart = std::sqrt(squares / static_cast<double>(same.size())) / 2.0;
-        if (before > 0.0)
+        if (before > 0.0) {
             WINDROW_EXPECT_FIGURE("drag.refined_" + std::to_string(cells / 2), apart / before, 0.25);
-        if (cells == 256)
+        }
+        if (cells == 256) {
             WINDROW_EXPECT_FIGURE("drag.apart_128", apart, 6e-5);
+        }
         before = apart;
         coarse = std::move(fine);
     }

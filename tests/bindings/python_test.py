@@ -195,6 +195,15 @@ class Winds(unittest.TestCase):
         self.assertTrue(inside.any() and np.all(np.linalg.norm(wind.centres()[inside] - (4.2, 1, 0), axis=-1) <= 1.5))
         self.assertGreater(np.ptp(wind.pressure()), 0.1)
 
+    def test_plants_slow_the_air(self):
+        wind = windrow.Wind(windrow.Config(cells=(16, 8, 16), ambient=(4, 0, 0)))
+        bush = wind.drag.add(windrow.PlantDrag(position=(0, -2, 0), radius=2, height=4, area=12))
+        wind.drag.set(wind.drag.add(windrow.BeltDrag()), windrow.PlantDrag())
+        self.assertEqual((len(wind.drag.add_plants([windrow.PlantDrag()] * 3)), len(wind.drag), bush in wind.drag), (3, 5, True))
+        wind.step(1 / 30)
+        self.assertGreater(wind.drag.force_on(bush).force[0], 10.0)
+        self.assertIn("give a base below", sentence_of(self, lambda: wind.drag.add(windrow.PlantDrag(base=5))))
+
     def test_meshes_and_maps_that_do_not_fit_are_sentences(self):
         for make, expected in ((lambda: windrow.TriangleMesh([[0, 0, 0]], [[0, 1, 2]]), "triangles name vertices 0 to 2: there are 1, from 0 on."),
                                (lambda: windrow.TriangleMesh([0, 0], [[0, 0, 0]]), "give (n, 3) and (m, 3)"),

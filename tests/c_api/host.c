@@ -155,6 +155,7 @@ int main(int count, char** arguments) {
     check_wind();
     check_motors();
     check_obstacles();
+    check_drag();
     check_errors();
     check_files(count > 1 ? arguments[1] : ".");
     if (windrow_has_part(WINDROW_PART_COUPLING)) {

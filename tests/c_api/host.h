@@ -33,6 +33,7 @@ windrow_config small_config(void);
 void check_wind(void);
 void check_motors(void);
 void check_obstacles(void);
+void check_drag(void);
 void check_errors(void);
 void check_files(const char* folder);
 void check_plants(void);
