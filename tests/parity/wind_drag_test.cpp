@@ -64,20 +64,26 @@ TEST_F(WindDrag, HasTheForceOfTheCpu) {
     EXPECT_FALSE(blind.force_on(DragId{}));
 }
 
-// What was uploaded is not trusted any more: the next recording uploads all of it.
+// What a recording uploads that is never submitted is uploaded again.
 TEST_F(WindDrag, IsUploadedAgainAfterForget) {
     auto made = Wind::create(sharing_host(), config(), k_settings);
     ASSERT_TRUE(made) << made.error();
     Wind& gpu = *made;
     windrow::Wind cpu = *windrow::Wind::create(config());
-    ASSERT_TRUE(gpu.drag().add(k_bush) && cpu.drag().add(k_bush));
     const auto together = [&] {
         step(gpu);
         (void)cpu.step(1.0 / 30.0);
         return apart(*gpu.cells(), cpu.field());
     };
+    ASSERT_TRUE(gpu.drag().add(k_bush) && cpu.drag().add(k_bush));
     for (int n = 0; n < 4; ++n)
         (void)together();
+    const PlantDrag another{.position = {2.3, -2.0, -2.4}, .radius = 2.0f, .height = 4.0f, .area = 9.0f};
+    ASSERT_TRUE(gpu.drag().add(another) && cpu.drag().add(another));
+    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) {
+        (void)held(gpu.record_step(commands, {.dt = 1.0 / 30.0, .slot = 0}));
+    });
+    (void)cpu.step(1.0 / 30.0); // the gusts of both have passed
     gpu.forget();
     cpu.reset();
     double worst = 0.0;
