@@ -106,9 +106,9 @@ struct Plan {
 
 // Fields of cells alone; see Passes::bytes.
 std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_bytes) {
-    const std::initializer_list<const Buffer*> in_caches = {&f.step,   &f.control, &f.shapes,     &f.commands,
-                                                            &f.rules,  &f.motors,  &f.tables,     &f.tile,
-                                                            &f.solids, &f.around,  &f.correction, &f.direction};
+    const std::initializer_list<const Buffer*> in_caches = {&f.step,       &f.control,   &f.shapes, &f.commands, &f.rules,
+                                                            &f.motors,     &f.tables,    &f.tile,   &f.solids,   &f.around,
+                                                            &f.correction, &f.direction, &f.drag};
     const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
     std::uint64_t bytes = image_bytes;
     for (std::size_t n = 0; n < plan.buffers.size(); ++n)
