@@ -114,7 +114,8 @@ class Passes {
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
     /// [bytes] What a dispatch of all its work groups moves where every field that it binds holds something: each field of cells
     /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the
-    /// motors and the gust tile, which stay in caches, and the drag of deposits, which is a stand-in at first. A pass that finds a field empty, as where no air is let in, moves less.
+    /// motors and the gust tile, which stay in caches, and the drag of deposits, which is a stand-in at first. A pass that finds a
+    /// field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
     /// One dispatch of a sub-step: the pass and its push constants without the sub-step's number.
     struct Stage {
