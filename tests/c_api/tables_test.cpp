@@ -147,8 +147,7 @@ class Tables {
 TEST(Tables, AreThoseThatBindingsAreMadeFrom) {
     Tables tables;
     tables.add<Config, Sampling, AmbientWind::Settings, Diagnostics>();
-    tables.add<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor, Obstacle, PlantDrag,
-               BeltDrag>();
+    tables.add<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor, Obstacle, PlantDrag, BeltDrag>();
     tables
         .add<Drag, BladeSettings, ShellSettings, TreeClasses, TreePart, SpringClass, FlutterClass, CascadeConfig, GroundConfig>();
     tables.add_choice("Region", k_alternatives<Region>);
