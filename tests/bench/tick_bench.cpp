@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
         return 2;
     for (int step = 0; step < steps; ++step)
         (void)wind->step(1.0 / 30.0);
-    std::printf("%d steps %llx\n", steps, static_cast<unsigned long long>(windrow::detail::checksum(std::as_bytes(wind->field()))));
+    std::printf("%d steps %llx\n", steps,
+                static_cast<unsigned long long>(windrow::detail::checksum(std::as_bytes(wind->field()))));
     return 0;
 }
