@@ -39,7 +39,7 @@ bool other_precedes(const PlacedObstacle& own, const PlacedObstacle& other, glm:
 } // namespace
 
 void Together::begin(const PlacedObstacle& body, float cell, float far) {
-    constexpr std::size_t k_room = 32; // bodies that move allocate nothing when they meet others
+    constexpr std::size_t k_room = 12; // bodies that move allocate nothing when they meet others
     if (bodies_.capacity() < k_room)
         bodies_.reserve(k_room);
     if (bridges_.capacity() < k_room)
