@@ -149,7 +149,7 @@ void Cells::renew_around(const AmbientWind& ambient, const Window& window, const
 
 // The profile beyond a wall, for transport.
 void Cells::bend_profile(const Window& window) {
-    const std::vector<HaloRule>& rows = work.state().carried_rules[1];
+    const detail::HostVector<HaloRule>& rows = work.state().carried_rules[1];
     const auto profile = [&](std::size_t row) {
         const int j = rows[row].ambient ? static_cast<int>(row) - k_halo_low : rows[row].source;
         return around_.profile_at(window.centre(0, j, 0).y);

@@ -220,14 +220,15 @@ class Cells final : public CellStorage {
     }
 
     const WindCore& wind_;
-    const Config& config_;               ///< of `wind_`
-    AmbientWind around_;                 ///< wind of the ambient fields; within a step ahead of the wind's own
-    CellIndex around_origin_cells_{0};   ///< window of the ambient fields
-    bool around_stale_ = true;           ///< ambient fields unset, or boundary conditions changed
-    AmbientField mean_field_;            ///< the mean wind cell by cell; empty without a profile
-    AmbientField ambient_field_;         ///< the same with gusts; empty without gusts
-    AmbientField ambient_next_;          ///< within a step: at its end
-    std::vector<float> profile_bends_;   ///< second differences of the profile, one a padded row; empty without profile or gusts
+    const Config& config_;             ///< of `wind_`
+    AmbientWind around_;               ///< wind of the ambient fields; within a step ahead of the wind's own
+    CellIndex around_origin_cells_{0}; ///< window of the ambient fields
+    bool around_stale_ = true;         ///< ambient fields unset, or boundary conditions changed
+    AmbientField mean_field_;          ///< the mean wind cell by cell; empty without a profile
+    AmbientField ambient_field_;       ///< the same with gusts; empty without gusts
+    AmbientField ambient_next_;        ///< within a step: at its end
+    detail::HostVector<float>
+        profile_bends_;                  ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                  ///< of the step, as `relaxation_time_`
     DragCells drag_;                     ///< the same
@@ -247,10 +248,10 @@ class Cells final : public CellStorage {
     std::shared_ptr<const SurfaceReading> reading_; ///< null: none, or stale
     CellIndex reading_origin_{0};                   ///< of the window that it was made for
     bool reading_stale_ = true;
-    FrameCells frames_before_;      ///< of ticks that ended: a host may still show their memory
-    SampledCells sampled_;          ///< of the air; not with frames
-    std::vector<float> open_parts_; ///< scratch of open_parts
-    FreeAir free_air_;              ///< potential of the volume sources; empty until the first
+    FrameCells frames_before_;             ///< of ticks that ended: a host may still show their memory
+    SampledCells sampled_;                 ///< of the air; not with frames
+    detail::HostVector<float> open_parts_; ///< scratch of open_parts
+    FreeAir free_air_;                     ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;
     std::uint64_t before_held_at_ = 0;

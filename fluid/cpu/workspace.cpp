@@ -18,7 +18,7 @@ bool same_kinds(const Boundaries& a, const Boundaries& b) {
     return true;
 }
 
-Workspace::State::Rules rules_of(const Box& box, std::vector<HaloRule> (*of)(const Box&, int)) {
+Workspace::State::Rules rules_of(const Box& box, detail::HostVector<HaloRule> (*of)(const Box&, int)) {
     return {of(box, 0), of(box, 1), of(box, 2)};
 }
 

@@ -32,7 +32,7 @@ struct PressureSolve {
 } // namespace cpu
 
 struct WINDROW_HIDDEN Workspace::State {
-    using Rules = std::array<std::vector<HaloRule>, 3>;
+    using Rules = std::array<detail::HostVector<HaloRule>, 3>;
 
     State(const Settings& settings, const cpu::Kernels& kernels);
 

@@ -93,14 +93,14 @@ std::array<std::array<EndRule, 2>, 3> velocity_ends(const Boundaries& boundaries
     return ends;
 }
 
-std::vector<HaloRule> halo_rules(const Box& box, int axis) {
-    std::vector<HaloRule> rules(static_cast<std::size_t>(box.cells[axis] + k_halo));
+detail::HostVector<HaloRule> halo_rules(const Box& box, int axis) {
+    detail::HostVector<HaloRule> rules(static_cast<std::size_t>(box.cells[axis] + k_halo));
     for (int padded = 0; padded < box.cells[axis] + k_halo; ++padded)
         rules[padded] = rule_at(box.boundaries, axis, padded - k_halo_low, box.cells[axis]);
     return rules;
 }
 
-std::vector<HaloRule> carried_rules(const Box& box, int axis) {
+detail::HostVector<HaloRule> carried_rules(const Box& box, int axis) {
     Box slip = box;
     for (Boundary* side : {&slip.boundaries.x_low, &slip.boundaries.x_high, &slip.boundaries.y_low, &slip.boundaries.y_high,
                            &slip.boundaries.z_low, &slip.boundaries.z_high})

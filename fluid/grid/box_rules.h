@@ -2,6 +2,7 @@
 // the tables of the GPU.
 #pragma once
 
+#include "fluid/allocator.h"
 #include "fluid/api.h"
 #include "fluid/box.h"
 #include "fluid/grid/basis.h"
@@ -20,12 +21,12 @@ namespace windrow {
 [[nodiscard]] WINDROW_INTERNAL std::array<std::array<EndRule, 2>, 3> velocity_ends(const Boundaries& boundaries, int component);
 
 /// Rules of an axis, one per padded index [cell + k_halo_low], for viscosity.
-[[nodiscard]] WINDROW_INTERNAL std::vector<HaloRule> halo_rules(const Box& box, int axis);
+[[nodiscard]] WINDROW_INTERNAL detail::HostVector<HaloRule> halo_rules(const Box& box, int axis);
 /// The same for transport: the air slips along every wall. A no-slip wall acts through a layer made by viscosity, thinner than a
 /// cell except in very viscous air. A ghost of opposite sign puts that layer between the outermost cell and the ghost, where a
 /// cubic read takes it for a slope and amplifies it: two cells between such walls grew to 100 times the driving speed. So
 /// advected air slips, and only viscosity slows it.
-[[nodiscard]] WINDROW_INTERNAL std::vector<HaloRule> carried_rules(const Box& box, int axis);
+[[nodiscard]] WINDROW_INTERNAL detail::HostVector<HaloRule> carried_rules(const Box& box, int axis);
 
 /// Ghost values of a stencil beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0
 /// at the ghost's centre. This pair is not adjoint: the projection can amplify waves of a few cells along an edge (operators.h).
