@@ -17,6 +17,7 @@ FILLED_BY_HAND = {"windrow_parallel_for", "windrow_spring_batch", "windrow_casca
 LENGTHS = {
     "windrow_blades_vertices": {"heights": "rows", "positions": "2 * count * rows", "normals": "2 * count * rows"},
     "windrow_tree_vertices": {"parts": "part_count", "winds": "part_count"},
+    "windrow_wind_add_plants": {"plants": "count"},
     "windrow_mesh_create": {"vertices": "vertex_count", "indices": "3 * triangle_count"},
     "windrow_height_map_create_with_holes": {"heights": "count", "open": "cell_count"},
     "windrow_workspace_set_obstacles": {"obstacles": "count", "velocities": "count", "spins": "count"},
