@@ -20,8 +20,10 @@ using detail::MeshTree, detail::winds_around;
 /// ray, evenly, and each triangle has one.
 class Thickness {
   public:
-    Thickness(const MeshTree& tree, glm::vec3 size)
-        : tree_(tree), longest_(std::max({size.x, size.y, size.z})), least_(std::min({size.x, size.y, size.z})) {}
+    /// `surface` is what a ray meets; `tree` holds all of the mesh.
+    Thickness(const MeshTree& tree, const MeshTree& surface, glm::vec3 size)
+        : tree_(tree), surface_(surface), longest_(std::max({size.x, size.y, size.z})),
+          least_(std::min({size.x, size.y, size.z})) {}
 
     void count(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         cut(a, b, c, is_thin(a, b, c), 0, [&](glm::vec3, int cuts) { parts_ += cuts > 0 ? 1 : 0; });
@@ -86,8 +88,8 @@ class Thickness {
 
     void cast(glm::vec3 place, glm::vec3 normal) {
         // What a ray meets is found first, both ways: it is seldom nearer than what is known, and a winding number takes longer.
-        const float inward = tree_.first_hit(place, -normal, -normal, least_, steps_),
-                    outward = tree_.first_hit(place, normal, -normal, least_, steps_);
+        const float inward = surface_.first_hit(place, -normal, -normal, least_, steps_),
+                    outward = surface_.first_hit(place, normal, -normal, least_, steps_);
         if (!(std::min(inward, outward) < least_))
             return;
         const glm::vec3 out = 1e-4f * longest_ * normal;
@@ -97,7 +99,7 @@ class Thickness {
         least_ = before ? outward : inward;
     }
 
-    const MeshTree& tree_;
+    const MeshTree &tree_, &surface_;
     float longest_, least_;
     std::size_t steps_ = 0, parts_ = 0, part_ = 0; ///< of cut triangles
 };
@@ -114,7 +116,7 @@ TriangleMesh::TriangleMesh(MeshData data)
     tree_ = std::make_unique<MeshTree>(data_);
 }
 
-Result<void> TriangleMesh::measure() {
+Result<void> TriangleMesh::measure(const std::vector<std::uint32_t>& parts) {
     constexpr std::size_t k_points = 256;                 // of which the steps are counted
     constexpr std::size_t k_most_ray_steps = 500'000'000; // 3 s; a million round triangles take 150,000,000
     const Error too_long{detail::message("a point beside the mesh takes more than ", k_max_steps,
@@ -129,11 +131,16 @@ Result<void> TriangleMesh::measure() {
         if (steps > k_points * k_max_steps || (t + apart >= data_.triangles.size() && steps > points * k_max_steps))
             return too_long;
     }
-    Thickness rays(*tree_, high_ - low_);
-    for (const glm::uvec3& t : data_.triangles)
-        rays.count(data_.vertices[t.x], data_.vertices[t.y], data_.vertices[t.z]);
-    for (const glm::uvec3& t : data_.triangles) {
-        rays.measure(data_.vertices[t.x], data_.vertices[t.y], data_.vertices[t.z]);
+    constexpr std::size_t k_most_cutting_steps = 200'000'000; // 1 s
+    const MeshData outer = detail::surface_of_union(data_, parts, *tree_, k_most_cutting_steps);
+    if (!outer.triangles.empty())
+        surface_ = std::make_unique<MeshTree>(outer);
+    const MeshData& surface = surface_ ? outer : data_;
+    Thickness rays(*tree_, surface_ ? *surface_ : *tree_, high_ - low_);
+    for (const glm::uvec3& t : surface.triangles)
+        rays.count(surface.vertices[t.x], surface.vertices[t.y], surface.vertices[t.z]);
+    for (const glm::uvec3& t : surface.triangles) {
+        rays.measure(surface.vertices[t.x], surface.vertices[t.y], surface.vertices[t.z]);
         if (rays.steps() > k_most_ray_steps)
             return too_long;
     }
@@ -149,19 +156,20 @@ Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::create(MeshData data) 
         if (auto checked = detail::check_parts(data); !checked)
             return checked.failure();
         detail::weld(data);
-        if (auto closed = detail::close_surface(data); !closed)
-            return closed.failure();
+        auto parts = detail::close_surface(data);
+        if (!parts)
+            return parts.failure();
         data.vertices.shrink_to_fit();
         data.triangles.shrink_to_fit();
         std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data)));
-        if (auto measured = mesh->measure(); !measured)
+        if (auto measured = mesh->measure(*parts); !measured)
             return measured.failure();
         return std::shared_ptr<const TriangleMesh>(std::move(mesh));
     });
 }
 
 float TriangleMesh::distance_to(glm::vec3 point, float most) const {
-    const float away = tree_->distance(point, most);
+    const float away = (surface_ ? *surface_ : *tree_).distance(point, most);
     return signs_->inside(point, *tree_) ? -away : away;
 }
 
@@ -175,7 +183,7 @@ double TriangleMesh::winding_number(glm::vec3 point) const {
 
 std::size_t TriangleMesh::memory_bytes() const {
     return sizeof(*this) + data_.vertices.capacity() * sizeof(glm::vec3) + data_.triangles.capacity() * sizeof(glm::uvec3) +
-           tree_->memory_bytes() + signs_->memory_bytes();
+           tree_->memory_bytes() + (surface_ ? surface_->memory_bytes() : 0) + signs_->memory_bytes();
 }
 
 std::strong_ordering operator<=>(const TriangleMesh& a, const TriangleMesh& b) {

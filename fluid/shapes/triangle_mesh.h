@@ -4,8 +4,9 @@
 //     if (!house) std::fprintf(stderr, "%s\n", house.error().c_str());
 //     else (void)wind.obstacles().add({.position = here, .shape = windrow::MeshShape{*house}});
 //
-// A point is inside where the winding number of the surface about it is not 0. So parts may touch, overlap and be nested: a part
-// inside another that faces the same way changes nothing, and one that faces the other way is a hollow. It does not matter
+// A point is inside where the winding number of the surface about it is not 0. So parts may touch, overlap and be nested: what of
+// them lies within others is no surface, a part inside another that faces the same way changes nothing, and one that faces the other
+// way is a hollow. It does not matter
 // whether triangles face outward or inward, as long as neighbours agree.
 #pragma once
 
@@ -64,7 +65,7 @@ class WINDROW_API TriangleMesh {
     /// [m] Corners of the box that holds it.
     [[nodiscard]] glm::vec3 low() const { return low_; }
     [[nodiscard]] glm::vec3 high() const { return high_; }
-    /// [m] From a point to the surface, negative inside. Beyond `most` it may be any value from `most` on, of the right sign.
+    /// [m] From a point to the surface, negative inside. What lies within the union of its parts is no surface of it. Beyond `most` it may be any value from `most` on, of the right sign.
     [[nodiscard]] float distance_to(glm::vec3 point, float most = std::numeric_limits<float>::infinity()) const;
     /// Whether the segment between two points meets the surface.
     [[nodiscard]] bool crosses(glm::vec3 from, glm::vec3 to) const;
@@ -86,12 +87,13 @@ class WINDROW_API TriangleMesh {
   private:
     explicit TriangleMesh(MeshData data); ///< closed; throws std::bad_alloc
     /// What is found by its tree. Throws std::bad_alloc.
-    [[nodiscard]] Result<void> measure();
+    [[nodiscard]] Result<void> measure(const std::vector<std::uint32_t>& parts);
 
     MeshData data_;
     std::uint64_t hash_;
     glm::vec3 low_{0.0f}, high_{0.0f};
     std::unique_ptr<const detail::MeshTree> tree_;
+    std::unique_ptr<const detail::MeshTree> surface_; ///< of the union of its parts; none where that is all of it
     std::unique_ptr<const detail::MeshSigns> signs_;
     float thickness_ = 0.0f;
 };

@@ -21,18 +21,11 @@ template <class IsSmall, class Visit>
 void cut_triangle(const std::array<glm::vec3, 3>& corner, const IsSmall& is_small, const Visit& visit) {
     if (is_small(corner))
         return visit(corner);
-    std::size_t first = 0; // of the longest edge
-    float longest = 0.0f;
-    for (std::size_t n = 0; n < 3; ++n)
-        if (const float length = glm::distance(corner[n], corner[(n + 1) % 3]); length > longest) {
-            longest = length;
-            first = n;
-        }
-    const glm::vec3 a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3], middle = 0.5f * (a + b);
-    if (middle == a || middle == b)
+    const auto halves = halves_of(corner);
+    if (!halves)
         return visit(corner);
-    cut_triangle(std::array{a, middle, c}, is_small, visit);
-    cut_triangle(std::array{middle, b, c}, is_small, visit);
+    for (const auto& half : *halves)
+        cut_triangle(half, is_small, visit);
 }
 
 } // namespace

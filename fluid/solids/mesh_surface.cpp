@@ -1,13 +1,18 @@
 // An edge between two triangles is passed by one of them from its first end to its second, and by the other back. So a surface is
 // closed, and its winding number is whole, where each edge is passed as often one way as the other.
+//
+// The union of its parts is bounded by what has the inside on one side alone. Nothing changes sides but where another part cuts it: so
+// triangles that none cuts are all alike as far as they go on from one to the next, and one winding number tells of them all.
 // Based on: Jacobson, Kavan & Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (whole winding numbers of closed surfaces).
 #include "fluid/solids/mesh_surface.h"
 
 #include "fluid/core/message.h"
+#include "fluid/solids/mesh_signs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <tuple>
 
@@ -40,6 +45,38 @@ std::vector<Edge> sorted_edges(const MeshData& data) {
     return edges;
 }
 
+/// Sets that are joined two by two, each known by its least member.
+class Sets {
+  public:
+    explicit Sets(std::size_t count) : lower_(count) { std::iota(lower_.begin(), lower_.end(), 0u); }
+    [[nodiscard]] std::uint32_t of(std::uint32_t member) {
+        while (lower_[member] != member)
+            member = lower_[member] = lower_[lower_[member]];
+        return member;
+    }
+    void join(std::uint32_t one, std::uint32_t other) {
+        one = of(one);
+        other = of(other);
+        lower_[std::max(one, other)] = std::min(one, other);
+    }
+
+  private:
+    std::vector<std::uint32_t> lower_;
+};
+
+/// Of triangles for which go_on(triangle), by the edges that two alone have in common.
+template <class GoOn>
+Sets joined(const std::vector<Edge>& edges, std::size_t triangles, const GoOn& go_on) {
+    Sets sets(triangles);
+    for (std::size_t n = 0, next = 0; n < edges.size(); n = next) {
+        while (next < edges.size() && edges[next].ends() == edges[n].ends())
+            ++next;
+        if (next - n == 2 && go_on(edges[n].triangle) && go_on(edges[n + 1].triangle))
+            sets.join(edges[n].triangle, edges[n + 1].triangle);
+    }
+    return sets;
+}
+
 /// Edges that are not passed as often one way as the other.
 struct Faults {
     std::size_t open = 0;   ///< with a triangle too few
@@ -47,9 +84,8 @@ struct Faults {
     Edge first_open{}, first_turned{};
 };
 
-Faults faults_of(const MeshData& data) {
+Faults faults_of(const std::vector<Edge>& edges) {
     Faults faults;
-    const std::vector<Edge> edges = sorted_edges(data);
     for (std::size_t n = 0; n < edges.size();) {
         const Edge& first = edges[n];
         int forward = 0, all = 0;
@@ -89,6 +125,102 @@ void leave_out_doubled(MeshData& data) {
             data.triangles[kept++] = data.triangles[t];
     data.triangles.resize(kept);
 }
+
+class Union {
+  public:
+    Union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree, std::size_t most_steps)
+        : data_(data), parts_(parts), tree_(tree), most_steps_(most_steps) {
+        glm::vec3 low = data.vertices.front(), high = low;
+        for (const glm::vec3& place : data.vertices) {
+            low = glm::min(low, place);
+            high = glm::max(high, place);
+        }
+        const float longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+        touch_ = k_touching * longest;
+        smallest_ = k_smallest * longest;
+    }
+
+    MeshData surface() {
+        const auto count = static_cast<std::uint32_t>(data_.triangles.size());
+        std::vector<bool> is_cut(count); // or touched: another part may begin along its edge
+        for (std::uint32_t t = 0; t < count && has_time(); ++t)
+            is_cut[t] = tree_.is_cut(piece_of(t), -2.0f * touch_, touch_, parts_, parts_[t], steps_);
+        Sets alike = joined(sorted_edges(data_), count, [&](std::uint32_t t) { return !is_cut[t]; });
+        std::vector<bool> is_within(count); // of those that are the least of their set
+        bool all = true;
+        for (std::uint32_t t = 0; t < count; ++t) {
+            if (is_cut[t]) {
+                all = cut(piece_of(t), parts_[t]) == Lies::outside && all;
+                continue;
+            }
+            const std::uint32_t first = alike.of(t);
+            if (first == t)
+                is_within[t] = has_time() && lies_within(piece_of(t));
+            if (is_within[first])
+                all = false;
+            else
+                keep(piece_of(t));
+        }
+        return all ? MeshData{} : std::move(surface_);
+    }
+
+  private:
+    using Piece = std::array<glm::vec3, 3>;
+    enum class Lies : std::uint8_t { outside, within, both };
+    static constexpr float k_touching = 1e-4f, k_smallest = 1.0f / 128.0f; // of the longest side
+
+    [[nodiscard]] Piece piece_of(std::uint32_t t) const {
+        const glm::uvec3 corners = data_.triangles[t];
+        return {data_.vertices[corners.x], data_.vertices[corners.y], data_.vertices[corners.z]};
+    }
+    [[nodiscard]] bool has_time() const { return steps_ < most_steps_; }
+    void keep(const Piece& piece) {
+        const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
+        surface_.vertices.insert(surface_.vertices.end(), piece.begin(), piece.end());
+        surface_.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    /// Whether both of its sides are inside.
+    [[nodiscard]] bool lies_within(const Piece& piece) {
+        const glm::dvec3 across = glm::cross(glm::dvec3(piece[1] - piece[0]), glm::dvec3(piece[2] - piece[0]));
+        const double length = glm::length(across);
+        if (!(length > 0.0))
+            return false;
+        const glm::vec3 middle = (piece[0] + piece[1] + piece[2]) / 3.0f, out = touch_ * glm::vec3(across / length);
+        return winds_around(tree_.winding_number(middle + out, &steps_)) &&
+               winds_around(tree_.winding_number(middle - out, &steps_));
+    }
+    /// Keeps the pieces of a piece that are outside, as large as they can be.
+    Lies cut(const Piece& piece, std::uint32_t part) {
+        const float longest =
+            std::max({glm::distance(piece[0], piece[1]), glm::distance(piece[1], piece[2]), glm::distance(piece[2], piece[0])});
+        const bool is_whole =
+            longest <= smallest_ || !has_time() || !tree_.is_cut(piece, 2.0f * touch_, touch_, parts_, part, steps_);
+        const auto halves = is_whole ? std::nullopt : halves_of(piece);
+        if (!halves) {
+            if (has_time() && lies_within(piece))
+                return Lies::within;
+            keep(piece);
+            return Lies::outside;
+        }
+        const std::size_t vertices = surface_.vertices.size(), triangles = surface_.triangles.size();
+        const Lies one = cut((*halves)[0], part), other = cut((*halves)[1], part);
+        if (one != other)
+            return Lies::both;
+        if (one == Lies::outside) {
+            surface_.vertices.resize(vertices);
+            surface_.triangles.resize(triangles);
+            keep(piece);
+        }
+        return one;
+    }
+
+    const MeshData& data_;
+    std::span<const std::uint32_t> parts_;
+    const MeshTree& tree_;
+    std::size_t most_steps_, steps_ = 0;
+    float touch_ = 0.0f, smallest_ = 0.0f;
+    MeshData surface_;
+};
 
 } // namespace
 
@@ -146,7 +278,7 @@ void weld(MeshData& data) {
         t = {first[t.x], first[t.y], first[t.z]};
 }
 
-Result<void> close_surface(MeshData& data) {
+Result<std::vector<std::uint32_t>> close_surface(MeshData& data) {
     if (data.triangles.empty())
         return Error{"each triangle of the mesh has a corner twice: give triangles with three corners."};
     glm::vec3 low = data.vertices.front(), high = low;
@@ -156,10 +288,12 @@ Result<void> close_surface(MeshData& data) {
     }
     if (const glm::vec3 size = high - low; std::max({size.x, size.y, size.z}) < TriangleMesh::k_smallest)
         return Error{message("the mesh is ", size, " m large: give 1e-6 m at least along one axis.")};
-    Faults faults = faults_of(data);
+    std::vector<Edge> edges = sorted_edges(data);
+    Faults faults = faults_of(edges);
     if (faults.open + faults.turned > 0) {
         leave_out_doubled(data);
-        faults = faults_of(data);
+        edges = sorted_edges(data);
+        faults = faults_of(edges);
     }
     if (faults.open > 0)
         return Error{message("the mesh is open at ", faults.open, faults.open == 1 ? " edge" : " edges", ", the first from ",
@@ -169,7 +303,17 @@ Result<void> close_surface(MeshData& data) {
         return Error{message("the mesh has ", faults.turned, faults.turned == 1 ? " edge" : " edges",
                              " whose triangles face opposite ways, the first from ", data.vertices[faults.first_turned.low],
                              " to ", data.vertices[faults.first_turned.high], ": turn triangles around until all face outward.")};
-    return {};
+    Sets sets = joined(edges, data.triangles.size(), [](std::uint32_t) { return true; });
+    std::vector<std::uint32_t> parts(data.triangles.size());
+    for (std::uint32_t t = 0; t < parts.size(); ++t)
+        parts[t] = sets.of(t);
+    return parts;
+}
+
+MeshData surface_of_union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree,
+                          std::size_t most_steps) {
+    const bool is_one = std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return part == parts.front(); });
+    return is_one ? MeshData{} : Union(data, parts, tree, most_steps).surface();
 }
 
 } // namespace windrow::detail

@@ -1,7 +1,7 @@
-// The surface of a mesh: one vertex a place, and whether it is closed.
+// The surface of a mesh: one vertex a place, whether it is closed, and which of it bounds the body.
 #pragma once
 
-#include "fluid/shapes/triangle_mesh.h"
+#include "fluid/solids/mesh_tree.h"
 
 namespace windrow::detail {
 
@@ -12,7 +12,14 @@ namespace windrow::detail {
 void weld(MeshData& data);
 
 /// Rejects edges that are not passed as often one way as the other. Where leaving out the second of equal triangles closes the
-/// surface, they are left out.
-[[nodiscard]] Result<void> close_surface(MeshData& data);
+/// surface, they are left out. Returns the part of each triangle, the number of its first one: triangles are of one part where they
+/// alone have an edge in common.
+[[nodiscard]] Result<std::vector<std::uint32_t>> close_surface(MeshData& data);
+
+/// What of the parts of a closed mesh is a surface of their union, with a vertex of its own for each corner: parts that touch, overlap
+/// or hold one another have triangles with the inside on both sides. Those that others cut are cut to 1/128 of the mesh's longest
+/// side. Empty where all of it is a surface. Cutting ends after `most_steps` in the tree; what is left then counts as surface.
+[[nodiscard]] MeshData surface_of_union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree,
+                                        std::size_t most_steps);
 
 } // namespace windrow::detail

@@ -11,6 +11,7 @@
 #include "fluid/shapes/triangle_mesh.h"
 
 #include <array>
+#include <optional>
 #include <span>
 
 namespace windrow::detail {
@@ -30,6 +31,12 @@ class MeshTree {
     /// unit vectors. Adds to `steps` as the winding number does.
     [[nodiscard]] float first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most, std::size_t& steps) const;
 
+    /// Whether a triangle of another part than `part` meets a piece of a triangle of that part, farther than `margin` [m] from the
+    /// piece's edges. Of one in its plane, nearer to it than `touch`, whether an edge does. `parts` holds that of each triangle. Adds to `steps` as the winding
+    /// number does.
+    [[nodiscard]] bool is_cut(const std::array<glm::vec3, 3>& piece, float margin, float touch,
+                              std::span<const std::uint32_t> parts, std::uint32_t part, std::size_t& steps) const;
+
     [[nodiscard]] std::size_t memory_bytes() const {
         return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
     }
@@ -39,7 +46,8 @@ class MeshTree {
 
     struct Triangle {
         glm::vec3 corner[3];
-        glm::vec3 normal; ///< of length 1; 0 for a triangle without area
+        glm::vec3 normal;     ///< of length 1; 0 for a triangle without area
+        std::uint32_t number; ///< in the mesh
     };
     struct Node {
         glm::vec3 low, high;
@@ -60,5 +68,8 @@ class MeshTree {
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;
 };
+
+/// The two halves of a triangle across the middle of its longest edge. None where floats end.
+[[nodiscard]] std::optional<std::array<std::array<glm::vec3, 3>, 2>> halves_of(const std::array<glm::vec3, 3>& corner);
 
 } // namespace windrow::detail

@@ -19,6 +19,17 @@ PlacedObstacle block(glm::vec3 low, glm::vec3 high, glm::vec3 by = glm::vec3(0.0
     return body;
 }
 
+// Closed blocks, each by itself, in one mesh.
+PlacedObstacle mesh(glm::vec3 at, std::initializer_list<std::pair<glm::vec3, glm::vec3>> blocks) {
+    MeshData data;
+    for (const auto& [low, high] : blocks)
+        data = both(data, box_mesh(0.5f * (high - low), 0.5f * (low + high)));
+    PlacedObstacle body;
+    body.shape = MeshShape{mesh_of(std::move(data))};
+    body.position = at;
+    return body;
+}
+
 PlacedObstacle cylinder(glm::vec3 foot, float radius, float length) {
     PlacedObstacle body;
     body.shape = Cylinder{.radius = radius, .half_length = 0.5f * length};
@@ -109,6 +120,17 @@ TEST(Together, AFormIsTheSameInWhateverParts) {
          [](glm::vec3 at) {
              return std::pair(Bodies{block({-4, 0, -4}, {4, 4, 0}, at), block({-4, 0, 0}, {0, 4, 4}, at)},
                               Bodies{block({-4, 0, -4}, {4, 4, 0}, at), block({-4, 0, -4}, {0, 4, 4}, at)});
+         }},
+        {"ell_of_a_mesh", 1e-4,
+         [&](glm::vec3 at) {
+             return std::pair(Bodies{mesh(at, {{{-4, 0, -4}, {4, 4, 0}}, {{-4, 0, 0}, {0, 4, 4}}})},
+                              Bodies{voxels({8, 4, 8}, at - glm::vec3(4, 0, 4), ell)});
+         }},
+        {"stair_of_a_mesh", 0.02, // what is left of a side is in pieces of 1/128 of the mesh
+         [](glm::vec3 at) {
+             return std::pair(
+                 Bodies{mesh(at, {{{-3, 0, -2}, {0, 1, 2}}, {{-1, 0, -2}, {1, 2, 2}}, {{1, 0, -2}, {3, 3, 2}}})},
+                 Bodies{voxels({6, 3, 4}, at - glm::vec3(3, 0, 2), [](glm::ivec3 cell) { return cell.y <= cell.x / 2; })});
          }},
         {"sunk_in_the_floor", 1e-4,
          [](glm::vec3 at) {

@@ -141,6 +141,12 @@ TEST(WorkGrowth, OfMeshes) {
     expect("needles", 250, needles);
     expect("nested boxes", 16, [](int n) { return nested(n, 1.0f / static_cast<float>(n)); });
     expect("one box many times", 16, [](int n) { return nested(n, 0.0f); });
+    expect("a bar of blocks that overlap", 24, [](int n) {
+        MeshData data;
+        for (int block = 0; block < n; ++block)
+            data = both(std::move(data), box_mesh(glm::vec3(0.6f), glm::vec3(block, 0.1f * static_cast<float>(block % 2), 0.0f)));
+        return data;
+    });
     expect("a round ring", 16, [](int n) { return test::torus_mesh(2.0f, 0.5f, static_cast<glm::uint>(n), 100); });
 }
 
