@@ -116,7 +116,7 @@ TriangleMesh::TriangleMesh(MeshData data)
     tree_ = std::make_unique<MeshTree>(data_);
 }
 
-Result<void> TriangleMesh::measure(const std::vector<std::uint32_t>& parts) {
+Result<void> TriangleMesh::measure(detail::ClosedSurface found) {
     constexpr std::size_t k_points = 256;                 // of which the steps are counted
     constexpr std::size_t k_most_ray_steps = 500'000'000; // 3 s; a million round triangles take 150,000,000
     const Error too_long{detail::message("a point beside the mesh takes more than ", k_max_steps,
@@ -132,9 +132,10 @@ Result<void> TriangleMesh::measure(const std::vector<std::uint32_t>& parts) {
             return too_long;
     }
     constexpr std::size_t k_most_cutting_steps = 200'000'000; // 1 s
-    const MeshData outer = detail::surface_of_union(data_, parts, *tree_, k_most_cutting_steps);
+    const MeshData outer = detail::surface_of_union(data_, found.parts, *tree_, k_most_cutting_steps);
     if (!outer.triangles.empty())
         surface_ = std::make_unique<MeshTree>(outer);
+    edges_ = std::make_unique<detail::MeshEdges>(std::move(found.edges));
     const MeshData& surface = surface_ ? outer : data_;
     Thickness rays(*tree_, surface_ ? *surface_ : *tree_, high_ - low_);
     for (const glm::uvec3& t : surface.triangles)
@@ -156,13 +157,13 @@ Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::create(MeshData data) 
         if (auto checked = detail::check_parts(data); !checked)
             return checked.failure();
         detail::weld(data);
-        auto parts = detail::close_surface(data);
-        if (!parts)
-            return parts.failure();
+        auto closed = detail::close_surface(data);
+        if (!closed)
+            return closed.failure();
         data.vertices.shrink_to_fit();
         data.triangles.shrink_to_fit();
         std::shared_ptr<TriangleMesh> mesh(new TriangleMesh(std::move(data)));
-        if (auto measured = mesh->measure(*parts); !measured)
+        if (auto measured = mesh->measure(*std::move(closed)); !measured)
             return measured.failure();
         return std::shared_ptr<const TriangleMesh>(std::move(mesh));
     });
@@ -177,13 +178,20 @@ bool TriangleMesh::crosses(glm::vec3 from, glm::vec3 to) const {
     return tree_->crosses(from, to);
 }
 
+void TriangleMesh::for_each_edge_near(glm::vec3 point, float most,
+                                      const std::function<void(const detail::MeshEdge&)>& visit) const {
+    if (edges_->tree != nullptr)
+        edges_->tree->for_each_near(point, most, [&](std::uint32_t number) { visit(edges_->edges[number]); });
+}
+
 double TriangleMesh::winding_number(glm::vec3 point) const {
     return tree_->winding_number(point);
 }
 
 std::size_t TriangleMesh::memory_bytes() const {
     return sizeof(*this) + data_.vertices.capacity() * sizeof(glm::vec3) + data_.triangles.capacity() * sizeof(glm::uvec3) +
-           tree_->memory_bytes() + (surface_ ? surface_->memory_bytes() : 0) + signs_->memory_bytes();
+           tree_->memory_bytes() + (surface_ ? surface_->memory_bytes() : 0) + signs_->memory_bytes() +
+           edges_->edges.capacity() * sizeof(detail::MeshEdge) + (edges_->tree ? edges_->tree->memory_bytes() : 0);
 }
 
 std::strong_ordering operator<=>(const TriangleMesh& a, const TriangleMesh& b) {

@@ -5,7 +5,7 @@
 //     else (void)wind.obstacles().add({.position = here, .shape = windrow::MeshShape{*house}});
 //
 // A point is inside where the winding number of the surface about it is not 0. So parts may touch, overlap and be nested: what of
-// them lies within others is no surface, a part inside another that faces the same way changes nothing, and one that faces the other
+// them is within others is no surface, a part inside another that faces the same way changes nothing, and one that faces the other
 // way is a hollow. It does not matter
 // whether triangles face outward or inward, as long as neighbours agree.
 #pragma once
@@ -16,6 +16,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
@@ -24,6 +25,12 @@
 namespace windrow {
 
 namespace detail {
+/// [m] Its ends, and unit vectors out of the surfaces that meet there, as most of the mesh faces.
+struct MeshEdge {
+    glm::vec3 from, to, normal, other;
+};
+struct ClosedSurface;
+struct MeshEdges;
 class MeshTree;
 class MeshSigns;
 } // namespace detail
@@ -65,10 +72,13 @@ class WINDROW_API TriangleMesh {
     /// [m] Corners of the box that holds it.
     [[nodiscard]] glm::vec3 low() const { return low_; }
     [[nodiscard]] glm::vec3 high() const { return high_; }
-    /// [m] From a point to the surface, negative inside. What lies within the union of its parts is no surface of it. Beyond `most` it may be any value from `most` on, of the right sign.
+    /// [m] From a point to the surface, negative inside. What is within the union of its parts is no surface of it. Beyond `most` it may be any value from `most` on, of the right sign.
     [[nodiscard]] float distance_to(glm::vec3 point, float most = std::numeric_limits<float>::infinity()) const;
     /// Whether the segment between two points meets the surface.
     [[nodiscard]] bool crosses(glm::vec3 from, glm::vec3 to) const;
+    /// visit(edge) for each that is nearer to a point than `most` [m] and where the surface turns by more than 40 degrees away from the
+    /// body.
+    void for_each_edge_near(glm::vec3 point, float most, const std::function<void(const detail::MeshEdge&)>& visit) const;
     /// How often the surface is wound about a point, to .1: 0 outside, 1 inside, -1 where it faces inward.
     [[nodiscard]] double winding_number(glm::vec3 point) const;
     /// [m] The shortest way through the body between two faces that are parallel within 45 degrees, and at most the shortest edge
@@ -87,11 +97,12 @@ class WINDROW_API TriangleMesh {
   private:
     explicit TriangleMesh(MeshData data); ///< closed; throws std::bad_alloc
     /// What is found by its tree. Throws std::bad_alloc.
-    [[nodiscard]] Result<void> measure(const std::vector<std::uint32_t>& parts);
+    [[nodiscard]] Result<void> measure(detail::ClosedSurface found);
 
     MeshData data_;
     std::uint64_t hash_;
     glm::vec3 low_{0.0f}, high_{0.0f};
+    std::unique_ptr<const detail::MeshEdges> edges_;
     std::unique_ptr<const detail::MeshTree> tree_;
     std::unique_ptr<const detail::MeshTree> surface_; ///< of the union of its parts; none where that is all of it
     std::unique_ptr<const detail::MeshSigns> signs_;

@@ -241,6 +241,9 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     const Reach corners{reach.low, reach.high + 1};
     draw_near(number, view, reach, drawn);
     const bool tight = is_tight(number, thickness_of_[number]);
+    shut_.clear();
+    if (!tight && ground_.empty() && together_.any_edges())
+        shut_edges(view, reach);
     const auto holds_own = [&](glm::ivec3 cell, float away) { // what was drawn before it holds none of its cells
         return !flat && holds(away) &&
                (before_.empty() || together_.holds_own(view.from_middle(glm::vec3(cell) + 0.5f), k_touch * view.cell_size));
@@ -282,6 +285,8 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
             float closed = flat ? 0.0f : fraction(distances_);
             if (closed < 1.0f && tight && (in || holds_own(next, depth_at(view, reach, next))))
                 closed = 1.0f;
+            if (closed < 1.0f && !shut_.empty())
+                closed += (1.0f - closed) * std::max(shut_at(reach, cell, axis), shut_at(reach, next, axis));
             if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
                 closed = 1.0f;
             if (!before_.empty())
@@ -292,6 +297,31 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
             drawn_faces_.push_back({cell, axis, closed, wall});
         }
     });
+}
+
+// Finds how far cells at sharp edges are shut (edges.h): wholly .2 cells inside the body, not at all .3 outside, so that a body that moves
+// closes them by and by.
+void Solids::shut_edges(const View& view, const Reach& reach) {
+    constexpr float k_at_surface = 0.6f, k_slope = 2.0f; // [1/cell]
+    shut_.resize(reach.count(), glm::vec3(0.0f));
+    std::size_t n = 0;
+    reach.for_each([&](glm::ivec3 cell) {
+        const glm::vec3 centre = glm::vec3(cell) + 0.5f, up(0.0f, 0.5f, 0.0f);
+        const float row = view.from_middle(centre + up).y - view.from_middle(centre - up).y;
+        const float away = depths_[n] / std::min(row / view.cell_size, 1.0f);
+        const float shut = std::clamp(k_at_surface - k_slope * away, 0.0f, 1.0f);
+        if (shut > 0.0f && away > -k_beside * view.coarsest)
+            shut_[n] = shut * together_.edges_at(view.from_middle(centre), {view.cell_size, row, view.cell_size});
+        ++n;
+    });
+}
+
+// How far a face of a cell across an axis is shut: air that goes along an edge passes.
+float Solids::shut_at(const Reach& reach, glm::ivec3 cell, int axis) const {
+    if (!reach.holds(cell))
+        return 0.0f;
+    const glm::vec3& shut = shut_[reach.index(cell)];
+    return std::max(shut[(axis + 1) % 3], shut[(axis + 2) % 3]);
 }
 
 // Adds the cells that a reader finds other air in than they hold (reading.h), and those that it may take it from.
@@ -331,9 +361,8 @@ void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, 
         if (holds(next))
             continue;
         const glm::vec3 crossing = view.from_middle(centre, std::max(-away, 0.0f) / (next - away) * out);
-        glm::vec3 normal = ground_.empty() ? view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing,
-                                                                                k_apart * view.cell_size)
-                                           : ground_.normal(crossing, k_apart * view.cell_size);
+        const float apart = k_apart * view.cell_size;
+        glm::vec3 normal = ground_.empty() ? together_.normal(crossing, apart) : ground_.normal(crossing, apart);
         if (!(glm::dot(normal, out) > k_aligned))
             normal = out;
         drawn_sides_.push_back({direction, normal, view.body.moves() ? glm::dot(view.velocity(crossing), normal) : 0.0f});

@@ -126,6 +126,44 @@ void leave_out_doubled(MeshData& data) {
     data.triangles.resize(kept);
 }
 
+// Those that two triangles alone have in common. Most of the surface faces outward where its volume is positive.
+MeshEdges sharp_edges(const MeshData& data, const std::vector<Edge>& edges) {
+    constexpr float k_flat = 0.77f; // cosine of 40 degrees
+    const auto corner = [&](std::uint32_t t, int n) { return glm::dvec3(data.vertices[data.triangles[t][n]]); };
+    double volume = 0.0;
+    for (std::uint32_t t = 0; t < data.triangles.size(); ++t)
+        volume += glm::dot(corner(t, 0), glm::cross(corner(t, 1), corner(t, 2)));
+    const auto normal = [&](std::uint32_t t) {
+        const glm::dvec3 across = glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
+        const double length = glm::length(across);
+        return length > 0.0 ? glm::vec3((volume < 0.0 ? -across : across) / length) : glm::vec3(0.0f);
+    };
+    MeshEdges sharp;
+    MeshData thin;
+    for (std::size_t n = 0, next = 0; n < edges.size(); n = next) {
+        while (next < edges.size() && edges[next].ends() == edges[n].ends())
+            ++next;
+        if (next - n != 2)
+            continue;
+        const glm::vec3 one = normal(edges[n].triangle), other = normal(edges[n + 1].triangle);
+        const glm::vec3 from = data.vertices[edges[n].low], to = data.vertices[edges[n].high];
+        const glm::uvec3 beyond = data.triangles[edges[n + 1].triangle];
+        float over = 0.0f; // of the other triangle's third corner over the first one's plane
+        for (int c = 0; c < 3; ++c)
+            if (beyond[c] != edges[n].low && beyond[c] != edges[n].high)
+                over = glm::dot(one, data.vertices[beyond[c]] - from);
+        if (one == glm::vec3(0.0f) || other == glm::vec3(0.0f) || glm::dot(one, other) > k_flat || over > 0.0f)
+            continue;
+        sharp.edges.push_back({from, to, one, other});
+        const auto first = static_cast<std::uint32_t>(thin.vertices.size());
+        thin.vertices.insert(thin.vertices.end(), {from, to});
+        thin.triangles.emplace_back(first, first + 1, first + 1);
+    }
+    if (!sharp.edges.empty())
+        sharp.tree = std::make_unique<MeshTree>(thin);
+    return sharp;
+}
+
 class Union {
   public:
     Union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree, std::size_t most_steps)
@@ -278,7 +316,7 @@ void weld(MeshData& data) {
         t = {first[t.x], first[t.y], first[t.z]};
 }
 
-Result<std::vector<std::uint32_t>> close_surface(MeshData& data) {
+Result<ClosedSurface> close_surface(MeshData& data) {
     if (data.triangles.empty())
         return Error{"each triangle of the mesh has a corner twice: give triangles with three corners."};
     glm::vec3 low = data.vertices.front(), high = low;
@@ -304,10 +342,10 @@ Result<std::vector<std::uint32_t>> close_surface(MeshData& data) {
                              " whose triangles face opposite ways, the first from ", data.vertices[faults.first_turned.low],
                              " to ", data.vertices[faults.first_turned.high], ": turn triangles around until all face outward.")};
     Sets sets = joined(edges, data.triangles.size(), [](std::uint32_t) { return true; });
-    std::vector<std::uint32_t> parts(data.triangles.size());
-    for (std::uint32_t t = 0; t < parts.size(); ++t)
-        parts[t] = sets.of(t);
-    return parts;
+    ClosedSurface surface{.parts = std::vector<std::uint32_t>(data.triangles.size()), .edges = sharp_edges(data, edges)};
+    for (std::uint32_t t = 0; t < surface.parts.size(); ++t)
+        surface.parts[t] = sets.of(t);
+    return surface;
 }
 
 MeshData surface_of_union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree,

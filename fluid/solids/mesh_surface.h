@@ -11,10 +11,15 @@ namespace windrow::detail {
 /// One vertex for each place that is used, in the order of their first; 0 for -0. Leaves out triangles with a corner twice.
 void weld(MeshData& data);
 
+struct ClosedSurface {
+    /// Of each triangle, the number of its part's first one: triangles are of one part where they alone have an edge in common.
+    std::vector<std::uint32_t> parts{};
+    MeshEdges edges{};
+};
+
 /// Rejects edges that are not passed as often one way as the other. Where leaving out the second of equal triangles closes the
-/// surface, they are left out. Returns the part of each triangle, the number of its first one: triangles are of one part where they
-/// alone have an edge in common.
-[[nodiscard]] Result<std::vector<std::uint32_t>> close_surface(MeshData& data);
+/// surface, they are left out.
+[[nodiscard]] Result<ClosedSurface> close_surface(MeshData& data);
 
 /// What of the parts of a closed mesh is a surface of their union, with a vertex of its own for each corner: parts that touch, overlap
 /// or hold one another have triangles with the inside on both sides. Those that others cut are cut to 1/128 of the mesh's longest

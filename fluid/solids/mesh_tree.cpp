@@ -283,6 +283,15 @@ bool MeshTree::crosses(glm::vec3 from, glm::vec3 to) const {
     return met;
 }
 
+void MeshTree::for_each_near(glm::vec3 point, float most, const std::function<void(std::uint32_t)>& visit) const {
+    walk([&](const Node& node) { return square_to_box(node.low, node.high, point) < most * most; },
+         [&](const Triangle& triangle) {
+             if (square_to_triangle(triangle.corner, triangle.normal, point) < most * most)
+                 visit(triangle.number);
+             return true;
+         });
+}
+
 bool MeshTree::is_cut(const std::array<glm::vec3, 3>& piece, float margin, float touch, std::span<const std::uint32_t> parts,
                       std::uint32_t part, std::size_t& steps) const {
     const glm::vec3 low = glm::min(piece[0], glm::min(piece[1], piece[2])) - touch,

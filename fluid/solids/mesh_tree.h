@@ -11,6 +11,8 @@
 #include "fluid/shapes/triangle_mesh.h"
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -31,6 +33,8 @@ class MeshTree {
     /// unit vectors. Adds to `steps` as the winding number does.
     [[nodiscard]] float first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most, std::size_t& steps) const;
 
+    /// visit(number) for each triangle that is nearer to a point than `most` [m].
+    void for_each_near(glm::vec3 point, float most, const std::function<void(std::uint32_t)>& visit) const;
     /// Whether a triangle of another part than `part` meets a piece of a triangle of that part, farther than `margin` [m] from the
     /// piece's edges. Of one in its plane, nearer to it than `touch`, whether an edge does. `parts` holds that of each triangle. Adds to `steps` as the winding
     /// number does.
@@ -67,6 +71,12 @@ class MeshTree {
 
     std::vector<Node> nodes_;
     std::vector<Triangle> triangles_;
+};
+
+/// Those of a mesh.
+struct MeshEdges {
+    std::vector<MeshEdge> edges{};
+    std::unique_ptr<const MeshTree> tree{}; ///< of the edges, as triangles; none where there are none
 };
 
 /// The two halves of a triangle across the middle of its longest edge. None where floats end.

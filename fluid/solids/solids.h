@@ -343,7 +343,7 @@ class Solids {
     [[nodiscard]] float beside_margin() const;
     [[nodiscard]] bool is_tight(std::size_t number, float thickness) const;
     [[nodiscard]] float find_thickness(std::size_t number);
-    [[nodiscard]] float thickness_beside(std::size_t number, float most);
+    [[nodiscard]] float thickness_together(std::size_t number, float own, float most);
     [[nodiscard]] float row_from(glm::vec3 place, glm::vec3 way) const;
     void collect_ground(std::size_t number, const View& view);
     void collect_together(std::size_t number, const View& view, std::span<const PlacedObstacle> beside);
@@ -365,6 +365,8 @@ class Solids {
     [[nodiscard]] bool is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const;
     void draw_near(std::size_t number, const View& view, const Reach& reach, const Reach& drawn);
     void measure(const View& view, const Reach& reach);
+    void shut_edges(const View& view, const Reach& reach);
+    [[nodiscard]] float shut_at(const Reach& reach, glm::ivec3 cell, int axis) const;
     void measure_ground(const View& view, Reach& reach, const Reach& drawn);
     [[nodiscard]] Column column_at(const View& view, const Reach& reach, int i, int k) const;
     [[nodiscard]] static float rise_over(const View& view, const Column& column, glm::ivec3 cell, float away);
@@ -447,6 +449,7 @@ class Solids {
     detail::HostVector<std::uint32_t> face_of_;        ///< three a cell: face to the high neighbour
     /// Scratch [cells]: at the corners of a body's cells, there of what it has in common with what is drawn before it, at their centres.
     detail::HostVector<float> distances_, before_, depths_;
+    detail::HostVector<glm::vec3> shut_; ///< scratch: how far a cell is, for edges along each axis
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
     struct Tile {
         std::size_t body;

@@ -81,7 +81,7 @@ float Solids::find_thickness(std::size_t number) {
     if (own >= far)
         return own;
     if (tile_of_[number] == k_none)
-        return own + thickness_beside(number, far - own);
+        return thickness_together(number, own, far);
 
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
     const detail::Extent& extent = tiles_[tile_of_[number]].extent;

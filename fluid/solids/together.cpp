@@ -1,5 +1,6 @@
 #include "fluid/solids/together.h"
 
+#include "fluid/solids/edges.h"
 #include "fluid/solids/wholes.h"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ void Together::begin(const PlacedObstacle& body, float cell, float far) {
     bodies_.clear();
     has_wall_ = {};
     any_wall_ = any_before_ = false;
+    any_edges_ = detail::has_sharp_edges(body.shape);
     has_seams_ = !(std::holds_alternative<MeshShape>(body.shape) && body.moves());
     cell_ = cell;
     far_ = far;
@@ -73,6 +75,7 @@ void Together::add(const PlacedObstacle& other, glm::vec3 from, bool drawn_befor
                        .drawn_before = drawn_before,
                        .precedes = other_precedes(*bodies_[0].body, other, from, k_touching * cell_)});
     any_before_ = any_before_ || drawn_before;
+    any_edges_ = any_edges_ || (!drawn_before && detail::has_sharp_edges(other.shape));
 }
 
 // A block and another one of the same axes hold a third, along each axis along which they touch: as long as both, and across what they have
@@ -162,6 +165,17 @@ glm::vec3 Together::out_of(const Body& body, glm::vec3 place, float step, float 
     return body.body->axes * detail::normal_at(body.body->shape, body.to_own * (place - body.from), step, most + 4.0f * step);
 }
 
+glm::vec3 Together::normal(glm::vec3 place, float step) const {
+    glm::vec3 rise;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::vec3 beside(0.0f);
+        beside[axis] = step;
+        rise[axis] = nearest(place + beside, Of::all, far_).away - nearest(place - beside, Of::all, far_).away;
+    }
+    const float length = glm::length(rise);
+    return length > 0.0f ? rise / length : glm::vec3(0.0f);
+}
+
 // Out of the box where the surface nearest to a place inside stands on its wall; 0 where it does not.
 glm::vec3 Together::wall_at(glm::vec3 place, const Nearest& surface) const {
     const float seam = k_touching * cell_;
@@ -249,6 +263,67 @@ bool Together::blocks(glm::vec3 from, glm::vec3 to) const {
         return !body.drawn_before && !body.is_bridge &&
                detail::blocks(body.body->shape, body.to_own * (from - body.from), body.to_own * (to - body.from));
     });
+}
+
+bool Together::is_beyond_wall(glm::vec3 place) const {
+    for (int end = 0; end < 6 && any_wall_; ++end)
+        if (has_wall_[static_cast<std::size_t>(end)] &&
+            (end % 2 == 0 ? -1.0f : 1.0f) * (place[end / 2] - walls_[static_cast<std::size_t>(end)]) >= 0.0f)
+            return true;
+    return false;
+}
+
+glm::vec3 Together::edges_at(glm::vec3 place, glm::vec3 cell_size) const {
+    constexpr float k_reach = 1.5f, k_whole = 1.0f; // [cells] an edge farther away has no part in a cell, and one as near all
+    constexpr float k_askew = 0.97f, k_aligned = 0.995f; // cosine of its angle to an axis: 14 and 6 degrees
+    const float reach = k_reach * std::max({cell_size.x, cell_size.y, cell_size.z});
+    const auto near = [&](glm::vec3 at) {
+        return std::clamp((k_reach - glm::length((at - place) / cell_size)) / (k_reach - k_whole), 0.0f, 1.0f);
+    };
+    std::array<detail::SharpEdge, 16> edges;
+    glm::vec3 most(0.0f);
+    for (const Body& body : bodies_) {
+        if (body.drawn_before || body.is_bridge || outside(body.extent, place) > reach)
+            continue;
+        const glm::mat3& axes = body.body->axes;
+        const glm::vec3 own = body.to_own * (place - body.from);
+        const std::size_t count = detail::sharp_edges_near(body.body->shape, own, reach, cell_, edges);
+        for (const detail::SharpEdge& edge : std::span(edges).first(count)) {
+            const glm::vec3 beside = axes * glm::normalize(edge.normal - edge.other);
+            const float length = glm::distance(edge.from, edge.to);
+            const glm::vec3 way = (edge.to - edge.from) / length, along = glm::abs(axes * way);
+            const int axis = along.x > k_askew ? 0 : along.y > k_askew ? 1 : 2;
+            const float aligned = std::clamp((along[axis] - k_askew) / (k_aligned - k_askew), 0.0f, 1.0f);
+            const auto place_of = [&](float from_end) { return body.from + axes * (edge.from + from_end * way); };
+            const auto look = [&](float from_end) {
+                const glm::vec3 at = place_of(from_end);
+                if (const float part = aligned * near(at); part > most[axis])
+                    most[axis] = std::max(most[axis], part * sharpness(at, beside));
+            };
+            // Another body may cover it where it is nearest: then a place along it where none does.
+            constexpr int k_places = 12;                         // to either side
+            const float apart = reach / k_places;                // [m]
+            const float middle = glm::dot(own - edge.from, way); // [m] from its end to the place beside this one
+            const float nearest = std::clamp(middle, 0.0f, length);
+            look(nearest);
+            for (int n = 1; n <= k_places && most[axis] < aligned * near(place_of(nearest)); ++n)
+                for (const float at : {middle - static_cast<float>(n) * apart, middle + static_cast<float>(n) * apart})
+                    if (at > 0.0f && at < length)
+                        look(at);
+        }
+    }
+    return most;
+}
+
+// Of an edge at a place; `beside`, a unit vector, is across it and along neither surface.
+float Together::sharpness(glm::vec3 edge, glm::vec3 beside) const {
+    constexpr float k_away = 0.5f;                  // [cells] from the edge
+    constexpr float k_right = 0.70710678f;          // of that way, how far the surface is there beside a right angle
+    constexpr float k_blunt = 0.5f, k_sharp = 0.8f; // of that
+    const auto away = [&](glm::vec3 at) { return is_beyond_wall(at) ? 0.0f : nearest(at, Of::all, far_).away; };
+    const glm::vec3 way = k_away * cell_ * beside;
+    const float sharp = std::min(away(edge + way), away(edge - way)) / (k_right * k_away * cell_);
+    return std::clamp((sharp - k_blunt) / (k_sharp - k_blunt), 0.0f, 1.0f);
 }
 
 float Together::run_from(glm::vec3 place, glm::vec3 way, float most) const {

@@ -47,8 +47,15 @@ class Together {
     }
     /// Whether a place is another's that is not drawn before it: of the one with the least distance.
     [[nodiscard]] bool is_anothers(glm::vec3 place) const;
+    /// Unit vector out of the surface of all at a place near it, from distances at `step` [m] on either side; 0 where they are equal.
+    [[nodiscard]] glm::vec3 normal(glm::vec3 place, float step) const;
     /// Whether a body that is not drawn before it passes between two places outside of them.
     [[nodiscard]] bool blocks(glm::vec3 from, glm::vec3 to) const;
+    /// Whether one that is not drawn before it has sharp edges.
+    [[nodiscard]] bool any_edges() const { return any_edges_; }
+    /// How much a sharp edge of those along an axis is one of all, and as near to a place as a cell of some size [m] that it passes
+    /// through: 0 to 1 for each axis.
+    [[nodiscard]] glm::vec3 edges_at(glm::vec3 place, glm::vec3 cell_size) const;
     /// [m] How far all go on, along a way of its own, from a place inside.
     [[nodiscard]] float run_from(glm::vec3 place, glm::vec3 way, float most) const;
 
@@ -77,6 +84,8 @@ class Together {
     [[nodiscard]] float away(glm::vec3 place, Of of, int seams) const;
     [[nodiscard]] float depth(glm::vec3 place, const Nearest& surface, Of of, int seams) const;
     [[nodiscard]] glm::vec3 wall_at(glm::vec3 place, const Nearest& surface) const;
+    [[nodiscard]] bool is_beyond_wall(glm::vec3 place) const;
+    [[nodiscard]] float sharpness(glm::vec3 edge, glm::vec3 beside) const;
     [[nodiscard]] bool others_reach(glm::vec3 place, const Nearest& surface) const;
     [[nodiscard]] glm::vec3 seam_at(glm::vec3 place, const Nearest& surface) const;
     [[nodiscard]] bool is_in_air(glm::vec3 place) const;
@@ -88,7 +97,7 @@ class Together {
     std::vector<PlacedObstacle> bridges_;
     std::array<float, 6> walls_{};
     std::array<bool, 6> has_wall_{};
-    bool any_wall_ = false, any_before_ = false, has_seams_ = true;
+    bool any_wall_ = false, any_before_ = false, any_edges_ = false, has_seams_ = true;
     float cell_ = 1.0f, far_ = 3.0f;
 };
 

@@ -97,33 +97,42 @@ void Solids::collect_together(std::size_t number, const View& view, std::span<co
     together_.end();
 }
 
-// [m] Of what a block or a cylinder touches all over its broad sides: where that is least.
-float Solids::thickness_beside(std::size_t number, float most) {
+// [m] Of a block or a cylinder with what it touches all over a flat side, along the axis where that is least, at most `most`; of another
+// shape its own.
+float Solids::thickness_together(std::size_t number, float own, float most) {
     constexpr float k_inset = 0.98f; // of the way to a side's edge
     const PlacedObstacle& whole = wholes_.of(number);
-    glm::vec3 half(0.0f);
-    if (const auto* const block = std::get_if<Block>(&whole.shape))
-        half = block->half_size;
-    else if (const auto* const cylinder = std::get_if<Cylinder>(&whole.shape))
-        half = glm::vec3(cylinder->radius * 0.7f, cylinder->half_length, cylinder->radius * 0.7f);
-    int axis = half.x <= half.y ? 0 : 1;
-    axis = half.z < half[axis] ? 2 : axis;
-    if (half == glm::vec3(0.0f) || (std::holds_alternative<Cylinder>(whole.shape) && axis != 1))
-        return 0.0f;
-    collect_together(number, View(whole, glm::ivec3(0), box_), beside_);
-    const glm::vec3 way = whole.axes[axis];
-    float beside[2] = {most, most};
-    for (int n = 0; n < 9; ++n) {
-        glm::vec3 own(0.0f);
-        own[(axis + 1) % 3] = k_inset * static_cast<float>(n % 3 - 1) * half[(axis + 1) % 3];
-        own[(axis + 2) % 3] = k_inset * static_cast<float>(n / 3 - 1) * half[(axis + 2) % 3];
-        const glm::vec3 middle = whole.axes * own;
-        for (int side = 0; side < 2; ++side) {
-            const glm::vec3 out = side == 0 ? way : -way;
-            beside[side] = std::min(beside[side], together_.run_from(middle + half[axis] * out, out, beside[side]));
-        }
+    glm::vec3 half(0.0f), across(0.0f); // of its flat sides: the places that are looked from
+    bool flat[3] = {false, true, false};
+    if (const auto* const block = std::get_if<Block>(&whole.shape)) {
+        half = across = block->half_size;
+        flat[0] = flat[2] = true;
+    } else if (const auto* const cylinder = std::get_if<Cylinder>(&whole.shape)) {
+        half = {cylinder->radius, cylinder->half_length, cylinder->radius};
+        across = {0.7f * cylinder->radius, cylinder->half_length, 0.7f * cylinder->radius};
+    } else {
+        return own;
     }
-    return std::min(beside[0] + beside[1], most);
+    collect_together(number, View(whole, glm::ivec3(0), box_), beside_);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float width = 2.0f * half[axis], room = most - width;
+        if (!(room > 0.0f))
+            continue;
+        const glm::vec3 way = whole.axes[axis];
+        float beside[2] = {flat[axis] ? room : 0.0f, flat[axis] ? room : 0.0f};
+        for (int n = 0; n < 9 && beside[0] + beside[1] > 0.0f; ++n) {
+            glm::vec3 at(0.0f);
+            at[(axis + 1) % 3] = k_inset * static_cast<float>(n % 3 - 1) * across[(axis + 1) % 3];
+            at[(axis + 2) % 3] = k_inset * static_cast<float>(n / 3 - 1) * across[(axis + 2) % 3];
+            const glm::vec3 middle = whole.axes * at;
+            for (int side = 0; side < 2; ++side) {
+                const glm::vec3 out = side == 0 ? way : -way;
+                beside[side] = std::min(beside[side], together_.run_from(middle + half[axis] * out, out, beside[side]));
+            }
+        }
+        most = std::min(most, width + beside[0] + beside[1]);
+    }
+    return most;
 }
 
 // Whether two lists of one length hold the same bodies: in one order, but where rounding has changed it.

@@ -62,6 +62,30 @@ TEST(ObstacleForces, AreTheMomentumThatAProjectionTakes) {
     EXPECT_LT(glm::length(lost - got), 1e-4 * glm::length(got)) << glm::length(got);
 }
 
+// A cube of 8 cells in a wind at seven places against the cells. The published drag is 1.05 (Hoerner 1965, Fluid-Dynamic Drag, chapter
+// 3). Where cells at sharp edges are open in part it is .42 to 1.05: the air goes around the edges as around round ones.
+TEST(ObstacleForces, OfACubeDependLittleOnItsPlace) {
+    double least = 2.0, most = 0.0;
+    for (const glm::dvec3 place :
+         {glm::dvec3(0.0), glm::dvec3(0.0, 0.25, 0.25), glm::dvec3(0.0, 0.5, 0.5), glm::dvec3(0.5, 0.0, 0.0),
+          glm::dvec3(0.37, 0.61, 0.23), glm::dvec3(0.74, 0.22, 0.46), glm::dvec3(0.11, 0.83, 0.69)}) {
+        Wind wind = made({.cells = {56, 32, 32}, .cell_size = 0.25f, .ambient = {10.0f, 0.0f, 0.0f}, .relaxation_time = 0.0f});
+        const ObstacleId id = *wind.obstacles().add({.position = 0.25 * place, .shape = Block{glm::vec3(1.0f)}});
+        take_steps(wind, 60, 1.0 / 60.0);
+        double force = 0.0;
+        for (int step = 0; step < 60; ++step) {
+            (void)wind.step(1.0 / 60.0);
+            force += force_on(wind, id).x / 60.0;
+        }
+        const double drag = force / (0.5 * double(k_air_density) * 100.0 * 4.0);
+        least = std::min(least, drag);
+        most = std::max(most, drag);
+    }
+    figure("forces/cube/least_drag", least);
+    WINDROW_EXPECT_FIGURE("forces/cube/most_drag", most, 1.2);
+    EXPECT_GE(least, 0.8);
+}
+
 // Places against the cells that a mean is over.
 glm::dvec3 place_beside(int n, double cell_size) {
     return cell_size * glm::dvec3(n * 0.37 - std::floor(n * 0.37), n * 0.61 - std::floor(n * 0.61), n * 0.23);
@@ -101,8 +125,8 @@ double drag_of(const Shape& shape, double area, bool moves, double rate, int pla
 
 // A body that moves through still air and one at rest in a wind are one flow. Where the impulse that cells inside take counts as force,
 // it is counted anew in each step: a long block is .47 apart, and .18 between the rates. Where the cells that a body leaves begin with
-// its velocity, a ball is 2.2 apart. What is left is of bodies at rest: a block's .45 to .85 and a ball's .02 to .17 depend on its place
-// against the cells, while one that moves passes all of them and has the published .9 of a block.
+// its velocity, a ball is 2.2 apart. Where cells at sharp edges are not shut, a block at rest has .45 to .85 by its place against the cells,
+// and is .32 apart from one that moves, which passes all of them and has the published .9.
 TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
     constexpr double k_area = 2.25, k_disc = std::numbers::pi * 2.25; // [m^2]
     struct Case {
@@ -111,7 +135,7 @@ TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
         double area, most;          // [m^2]; of the difference over the force at rest
         int places = sampled(6, 4); // at rest
     };
-    const Case cases[] = {{"long", Block{{1.5f, 0.75f, 0.75f}}, k_area, 0.4},
+    const Case cases[] = {{"long", Block{{1.5f, 0.75f, 0.75f}}, k_area, 0.15},
                           {"ball", Sphere{1.5f}, k_disc, 0.2, 12},
                           {"flat", Block{{0.26f, 0.75f, 0.75f}}, k_area, 0.2}};
     for (const Case& one : std::span(cases).first(whole_sweeps() ? 3 : 2)) {
@@ -203,7 +227,8 @@ double pressed(Wind& wind, std::span<const float> pressure) {
     return sum * std::pow(double(wind.box().cell_size), 2);
 }
 
-// What the wind loses between planes around a body is the force on it, and the pressure across a plate is that force. A pressure that is
+// What the wind loses between planes around a body is the force on it; a cube's wind loses a fifth more, in the cells at its front edges,
+// where reads do not keep momentum, and the pressure across a plate is that force. A pressure that is
 // solved for from its gradient alone misses a twelfth of the jump; it also slopes through all of the box, so that planes beyond each
 // other lose different momenta.
 TEST(ObstacleForces, AreThePressureAndTheMomentumLost) {
@@ -216,7 +241,7 @@ TEST(ObstacleForces, AreThePressureAndTheMomentumLost) {
         double least, most;
     };
     const Case cases[] = {{"plate", {.orientation = across, .shape = Plate{{1.0f, 1.0f}}}, 0.95, 1.08},
-                          {"cube", {.shape = Block{{1.0f, 1.0f, 1.0f}}}, 0.95, 1.12},
+                          {"cube", {.shape = Block{{1.0f, 1.0f, 1.0f}}}, 0.95, 1.25},
                           {"sphere", {.shape = Sphere{1.0f}}, 0.9, 1.4}};
     for (const Case& one : cases) {
         double ratio = 0.0, over_plate = 0.0;

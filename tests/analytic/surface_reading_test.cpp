@@ -260,6 +260,7 @@ TEST(SurfaceReading, HillsReadAlikeWhereverTheyStandInTheCells) {
     WINDROW_EXPECT_FIGURE("surface_reading/ridge_worst", ridge.worst, 0.35);
 }
 
+// The air leaves at the front edges, so that on a grid three times finer, whose sides are between cells, the two places are .5 apart.
 TEST(SurfaceReading, RoofsAndSideWallsReadAsTheAirBesideThem) {
     Spread roof, over_roof, side, beside;
     for (int n = 0; n < k_shifts; ++n) {
@@ -279,10 +280,10 @@ TEST(SurfaceReading, RoofsAndSideWallsReadAsTheAirBesideThem) {
         side.add(read({-1.5, 3.0, 4.0}, along, 0.1 * out));
         beside.add(read({-1.5, 3.0, 4.0}, along, out));
     }
-    WINDROW_EXPECT_FIGURE("surface_reading/roof", glm::length(roof.mean() - over_roof.mean()), 0.1);
-    WINDROW_EXPECT_FIGURE("surface_reading/roof_rms", roof.rms(), 1.2 * over_roof.rms());
-    WINDROW_EXPECT_FIGURE("surface_reading/side", glm::length(side.mean() - beside.mean()), 0.1);
-    WINDROW_EXPECT_FIGURE("surface_reading/side_rms", side.rms(), 1.2 * beside.rms());
+    WINDROW_EXPECT_FIGURE("surface_reading/roof", glm::length(roof.mean() - over_roof.mean()), 0.15);
+    WINDROW_EXPECT_FIGURE("surface_reading/roof_rms", roof.rms(), 1.4 * over_roof.rms());
+    WINDROW_EXPECT_FIGURE("surface_reading/side", glm::length(side.mean() - beside.mean()), 0.15);
+    WINDROW_EXPECT_FIGURE("surface_reading/side_rms", side.rms(), 1.4 * beside.rms());
 }
 
 // The wind around a ball in a wind U, and that of a ball that moves with -U less U.
