@@ -13,12 +13,6 @@
 #include <utility>
 
 namespace windrow {
-namespace {
-
-constexpr int k_beyond = 8; // [cells] drawn beyond the box, so that not every shift draws a large body again
-
-} // namespace
-
 Solids::Solids(const Box& box, int pitch)
     : box_(box), pitch_(pitch), flags_(box.cell_count()), body_of_(box.cell_count()), drawn_of_(box.cell_count()),
       surface_of_(box.cell_count()), layers_(box.cell_count()), face_of_(3 * box.cell_count(), k_none) {}
@@ -59,6 +53,7 @@ bool Solids::at_open_end(glm::ivec3 cell) const {
 // --- Drawings ----------------------------------------------------------------------------------------------------------------
 
 void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) {
+    const bool tiles_are_drawn = std::exchange(tiles_are_drawn_, false); // until all is: memory may end
     for (const ClosedFace& face : faces_) {
         face_of_[3 * static_cast<std::size_t>(face.cell[0]) + face.axis] = k_none;
         flags_[face.cell[0]] = 0;
@@ -109,6 +104,9 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         }
     }
     find_tiles();
+    find_tile_places();
+    find_changed_tiles();
+    find_drawers(tiles_are_drawn && shift == glm::ivec3(0) && changed_tiles_.empty());
     // Not as before until all is found: memory may end.
     const bool rest_as_before = std::exchange(resting_, k_none) == resting && resting == stand_as_before;
     wholes_.find(bodies_, box_.cell_size, rest_as_before);
@@ -119,32 +117,39 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     for (std::size_t n = 0; n < bodies_.size(); ++n) {
         // Bodies at rest have the neighbours that they had, if each stood there before and none has gone.
         const bool as_before = rest_as_before && kept_[n] != 0;
-        const bool looks = !as_before || std::holds_alternative<Ground>(bodies_[n].shape);
+        const bool tile = tile_of_[n] != k_none, looks = !as_before && !tile;
+        if (tile && draws_[tile_of_[n]] == 0) {
+            leave_out(n);
+            continue;
+        }
         if (looks)
             find_beside(n);
-        thickness_of_[n] = as_before ? drawings_[n].thickness : find_thickness(n);
+        const bool as_thick = tile ? tiles_are_drawn && kept_[n] != 0 && drawings_[n].thickness != k_unknown &&
+                                         !any_changed_near(n, k_farthest_row * box_.coarsest())
+                                   : as_before;
+        thickness_of_[n] = as_thick ? drawings_[n].thickness : find_thickness(n);
         const bool tight = is_tight(n, thickness_of_[n]);
         if (kept_[n] != 0) {
             drawings_[n].body = bodies_[n];
             const bool as_tight = tight == is_tight(n, drawings_[n].thickness);
             drawings_[n].thickness = thickness_of_[n];
-            if (as_tight && wholes_.is_same(wholes_.part(n), drawings_[n].part) &&
-                (still_holds(drawings_[n], looks) || draw_rest(n)))
+            if (as_tight && wholes_.is_same(wholes_.part(n), drawings_[n].part) && (!tile || tiles_are_drawn) &&
+                (still_holds(n, looks) || draw_rest(n)))
                 continue;
         } else {
             take_room(drawings_[n], bodies_[n]);
         }
         drawings_[n].body = bodies_[n];
+        drawings_[n].draws = true;
         drawings_[n].thickness = thickness_of_[n];
         drawings_[n].part = wholes_.part(n);
-        if (looks && tile_of_[n] != k_none)
-            drawings_[n].beside.swap(beside_);
-        else if (looks && !bodies_[n].moves())
+        if (looks && !bodies_[n].moves())
             drawings_[n].beside.assign(beside_.begin(), beside_.end()); // beside_ keeps its room for bodies that move
         draw(n);
         ++drawn_;
     }
     resting_ = resting;
+    tiles_are_drawn_ = true;
     for (std::size_t n = bodies_.size(); n < drawings_.size(); ++n)
         drawings_[n].body.position.x = std::numeric_limits<float>::quiet_NaN();
     count_thicknesses();
@@ -195,7 +200,10 @@ bool Solids::is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacl
 }
 
 // Whether the drawing of a body has all cells that the box has now, beside the same bodies.
-bool Solids::still_holds(const Drawing& drawing, bool looked_beside) const {
+bool Solids::still_holds(std::size_t number, bool looked_beside) const {
+    const Drawing& drawing = drawings_[number];
+    if (tile_of_[number] != k_none && any_changed_near(number, beside_margin()))
+        return false;
     const Reach needed = reach_of(drawing.body, needed_beyond());
     return glm::all(glm::lessThanEqual(drawing.low, needed.low)) && glm::all(glm::greaterThanEqual(drawing.high, needed.high)) &&
            (!looked_beside || (drawing.beside.size() == beside_.size() && are_same(beside_, drawing.beside)));
@@ -279,24 +287,18 @@ bool Solids::draw_rest(std::size_t number) {
     const glm::ivec3 size = whole.high - whole.low;
     lacks_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.z), 1);
     columns(kept, 0);
-    const auto lack_beside = [&](std::span<const PlacedObstacle> tiles, std::span<const PlacedObstacle> others) {
-        for (PlacedObstacle tile : tiles) {
-            if (stands_in(tile, others))
-                continue;
-            tile.position += body.position;
-            Reach reach = reach_of(tile, glm::ivec3(k_beyond)); // a cell more than the tile
-            const int margin = static_cast<int>(std::ceil(View::k_far * box_.coarsest() / box_.cell_size)) + 1;
-            columns({reach.low - margin, reach.high + margin}, 1);
-        }
-    };
-    lack_beside(drawing.beside, beside_);
-    lack_beside(beside_, drawing.beside);
+    for (const PlacedObstacle& tile : changed_tiles_) {
+        if (tile_of_[number] == k_none || !changed_near(body, tile, beside_margin()))
+            continue;
+        const Reach reach = reach_of(tile, glm::ivec3(k_beyond)); // a cell more than the tile
+        const int margin = static_cast<int>(std::ceil(View::k_far * box_.coarsest() / box_.cell_size)) + 1;
+        columns({reach.low - margin, reach.high + margin}, 1);
+    }
 
     drawing.body.position.x = std::numeric_limits<float>::quiet_NaN(); // none until it is whole: memory may end
     keep_columns(drawing, whole);
     drawing.low = whole.low;
     drawing.high = whole.high;
-    drawing.beside.swap(beside_);
     clear_drawn();
     for (int k = 0; k < size.z; ++k)
         for (int i = 0; i < size.x; ++i) {
@@ -391,9 +393,11 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
                 }
     };
     visit(bodies_[number], false);
-    if (tile_of_[number] != k_none) // of one surface
-        for (const Tile& tile : tiles_)
-            visit(bodies_[tile.body], true);
+    if (tile_of_[number] != k_none) { // of one surface
+        const glm::vec3 place = centre * box_.cell_size;
+        for (const std::uint32_t n : tiles_at_.at({place.x, place.z}))
+            visit(*tile_places_[n].body, true);
+    }
     return nearest;
 }
 

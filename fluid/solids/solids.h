@@ -288,6 +288,7 @@ class Solids {
         std::vector<PlacedObstacle> beside; ///< at rest: the bodies that it was drawn with, placed from its own place
         float thickness = 0.0f;             ///< [m] as thickness_of_
         Wholes::Part part;                  ///< of what it was drawn as
+        bool draws = true;                  ///< false: a tile that others draw
         glm::ivec3 low{0}, high{0};         ///< cells drawn: all that the body reaches within the box and some beyond
         detail::HostVector<Face> faces;
         detail::HostVector<Inside> inside;
@@ -330,12 +331,20 @@ class Solids {
     }
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool is_drawing_of(const Drawing& drawing, const PlacedObstacle& obstacle) const;
-    [[nodiscard]] bool still_holds(const Drawing& drawing, bool looked_beside) const;
+    [[nodiscard]] bool still_holds(std::size_t number, bool looked_beside) const;
     void find_tiles();
+    void find_tile_places();
+    void find_changed_tiles();
+    [[nodiscard]] bool changed_near(const PlacedObstacle& tile, const PlacedObstacle& changed, float margin) const;
+    [[nodiscard]] bool any_changed_near(std::size_t number, float margin) const;
+    struct TilePlace;
+    [[nodiscard]] bool surely_precedes(const TilePlace& one, const TilePlace& other) const;
+    [[nodiscard]] std::uint32_t kind_of(const TilePlace& tile) const;
+    void find_drawers(bool as_before);
+    void leave_out(std::size_t number);
     void sort_by_place();
-    /// Finds what a body is drawn with: the tiles whose columns may touch those of a tile, the bodies that another one touches.
+    /// Finds what a body that is no tile is drawn with: the bodies that it touches.
     void find_beside(std::size_t number);
-    void find_tiles_beside(std::size_t number);
     [[nodiscard]] static bool is_drawn_before(const PlacedObstacle& body, const PlacedObstacle& other);
     [[nodiscard]] bool is_same(const PlacedObstacle& body, const PlacedObstacle& other) const;
     [[nodiscard]] bool are_same(std::span<const PlacedObstacle> bodies, std::span<const PlacedObstacle> others) const;
@@ -457,11 +466,25 @@ class Solids {
         std::uint32_t kind;    ///< as TiledGround::add
     };
     std::vector<Tile> tiles_;
-    struct NearTile {
+    struct TilePlace {
         const PlacedObstacle* body;
-        glm::vec3 position, low, high; ///< [m] of an image of it
+        glm::ivec3 image;              ///< by how many boxes it is from the body
+        glm::vec3 position, low, high; ///< [m]
     };
-    std::vector<NearTile> near_;                                  ///< scratch
+    struct Owned {
+        std::uint32_t holder = k_none, beside = k_none, highest = k_none;
+    };
+    static constexpr int k_beyond = 8; ///< [cells] drawn beyond the box, so that not every shift draws a large body again
+    static constexpr float k_unknown = -1.0f;
+    static constexpr float k_farthest_row = 16.0f; ///< [cells] what is as thick counts as thicker than any read is long
+    static constexpr std::size_t k_no_ground = ~std::size_t{0}, k_all_tiles = k_no_ground - 1;
+    std::vector<TilePlace> tile_places_;                          ///< of all images
+    PlaneBuckets tiles_at_;                                       ///< the same by place
+    std::vector<PlacedObstacle> changed_tiles_;                   ///< scratch of place
+    bool tiles_are_drawn_ = true;                                 ///< else memory ended in the last placement
+    std::vector<std::uint8_t> draws_;                             ///< whether each tile does
+    std::vector<Owned> owned_;                                    ///< scratch: of columns, places of tiles
+    bool crowded_ = false;                                        ///< more tiles are beside one than are looked at for each
     Wholes wholes_;                                               ///< that the bodies are parts of
     Together together_;                                           ///< scratch: a body with those that it touches
     std::vector<detail::Extent> extents_;                         ///< scratch [m]: of each body, or of the whole that it is in
@@ -470,11 +493,11 @@ class Solids {
     std::size_t resting_ = 0;                                     ///< bodies at rest at the last placement
     std::vector<std::pair<PlacedObstacle, std::uint32_t>> kinds_; ///< scratch: tiles, anywhere, to be sorted
     std::vector<std::uint32_t> tile_of_;                          ///< of a body; k_none: it is none
-    TiledGround ground_;                                          ///< scratch: of an upright ground; empty for all else
-    std::pair<std::size_t, glm::vec3> ground_of_;                 ///< the body, and where its image is, that it was collected for
-    std::vector<TiledGround::Level> levels_, corner_levels_;      ///< scratch: of the columns' centres and corners
-    std::vector<TiledGround::Owner> owners_;                      ///< scratch: of the columns
-    std::vector<PlacedObstacle> beside_;                          ///< scratch of place
+    TiledGround ground_, other_ground_;                      ///< scratch: of an upright ground; empty for all else; one to swap
+    std::pair<std::size_t, glm::vec3> ground_of_, other_of_; ///< the body, and where its image is, that it was collected for
+    std::vector<TiledGround::Level> levels_, corner_levels_; ///< scratch: of the columns' centres and corners
+    std::vector<TiledGround::Owner> owners_;                 ///< scratch: of the columns
+    std::vector<PlacedObstacle> beside_;                     ///< scratch of place
     std::vector<std::uint8_t> kept_, lacks_; ///< scratch: whether a body has its last drawing; whether a column is to be drawn
 };
 

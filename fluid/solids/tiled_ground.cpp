@@ -6,16 +6,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace windrow {
-namespace {
-
-constexpr float k_slack = 1e-3f;       // of a cell: places of bodies are rounded to a fourth of it
-constexpr float k_into_column = 0.75f; // [cells] from a column's centre to its corners, and some
-constexpr std::size_t k_few = 8;       // tiles: all of them are looked at
-constexpr int k_most_buckets = 64;     // along an axis
-
-} // namespace
 
 void TiledGround::begin(float cell, float far) {
     tiles_.clear();
@@ -27,7 +20,7 @@ void TiledGround::begin(float cell, float far) {
     slack_ = k_slack * cell;
 }
 
-void TiledGround::add(const PlacedObstacle& body, glm::vec3 between, bool drawn, std::uint32_t kind) {
+void TiledGround::add(const PlacedObstacle& body, glm::vec3 between, std::uint32_t kind) {
     const Ground& ground = std::get<Ground>(body.shape);
     const detail::Extent extent = detail::extent_of(body);
     tiles_.push_back({.body = &body,
@@ -40,9 +33,7 @@ void TiledGround::add(const PlacedObstacle& body, glm::vec3 between, bool drawn,
                       .low = glm::vec2(extent.low.x - between.x, extent.low.z - between.z),
                       .high = glm::vec2(extent.high.x - between.x, extent.high.z - between.z),
                       .top = extent.high.y - between.y,
-                      .drawn = drawn,
-                      .kind = kind,
-                      .first_bucket = glm::ivec2(0)});
+                      .kind = kind});
 }
 
 // By what tiles are and then by where, so that it is the same wherever the box is.
@@ -66,75 +57,42 @@ void TiledGround::end() {
         parts = parts.subspan(tile.parts.size());
         holes = holes.subspan(tile.holes.size());
     }
-    sort_into_buckets();
+    tiles_at_.fill(tiles_.size(), slack_, [this](std::size_t n) {
+        return PlaneBuckets::Rectangle{tiles_[n].low, tiles_[n].high};
+    });
     find_ends();
-}
-
-// Squares as large as the mean tile, so that each stands in few.
-void TiledGround::sort_into_buckets() {
-    buckets_ = glm::ivec2(1);
-    buckets_a_metre_ = glm::vec2(0.0f);
-    glm::vec2 low(std::numeric_limits<float>::max()), high(-low);
-    glm::vec2 sum(0.0f);
-    for (const Tile& tile : tiles_) {
-        low = glm::min(low, tile.low);
-        high = glm::max(high, tile.high);
-        sum += tile.high - tile.low;
-    }
-    const glm::vec2 size = high - low;
-    if (tiles_.size() > k_few && std::isfinite(size.x) && std::isfinite(size.y)) {
-        const glm::vec2 tiles = size * static_cast<float>(tiles_.size()) / glm::max(sum, slack_);
-        buckets_ = glm::ivec2(glm::clamp(tiles, 1.0f, static_cast<float>(k_most_buckets)));
-        buckets_a_metre_ = glm::vec2(buckets_) / glm::max(size, slack_);
-    }
-    first_bucket_ = low;
-
-    const auto each_square = [&](const auto& visit) {
-        for (std::size_t n = 0; n < tiles_.size(); ++n) {
-            tiles_[n].first_bucket = bucket_of(tiles_[n].low - slack_);
-            const glm::ivec2 from = tiles_[n].first_bucket, to = bucket_of(tiles_[n].high + slack_);
-            for (int y = from.y; y <= to.y; ++y)
-                for (int x = from.x; x <= to.x; ++x)
-                    visit(static_cast<std::size_t>(y * buckets_.x + x), static_cast<std::uint32_t>(n));
-        }
-    };
-    bucket_ends_.assign(static_cast<std::size_t>(buckets_.x * buckets_.y) + 1, 0);
-    each_square([&](std::size_t square, std::uint32_t) { ++bucket_ends_[square + 1]; });
-    std::partial_sum(bucket_ends_.begin(), bucket_ends_.end(), bucket_ends_.begin());
-    in_buckets_.resize(bucket_ends_.back());
-    std::vector<std::uint32_t>& next = bucket_ends_; // each moves from a square's begin to its end
-    each_square([&](std::size_t square, std::uint32_t tile) { in_buckets_[next[square]++] = tile; });
-}
-
-glm::ivec2 TiledGround::bucket_of(glm::vec2 place) const {
-    const glm::vec2 square = (place - first_bucket_) * buckets_a_metre_;
-    return glm::ivec2(glm::clamp(square, glm::vec2(0.0f), glm::vec2(buckets_ - 1)));
-}
-
-// bucket_ends_[n] is the end of square n since it was filled.
-std::span<const std::uint32_t> TiledGround::bucket(glm::ivec2 at) const {
-    if (tiles_.empty())
-        return {};
-    const auto square = static_cast<std::size_t>(at.y * buckets_.x + at.x);
-    const std::uint32_t first = square > 0 ? bucket_ends_[square - 1] : 0;
-    return std::span(in_buckets_).subspan(first, bucket_ends_[square] - first);
+    ends_at_.fill(ends_.size(), slack_, [this](std::size_t n) {
+        const End& end = ends_[n];
+        return PlaneBuckets::Rectangle{glm::min(end.from, end.to), glm::max(end.from, end.to)};
+    });
 }
 
 template <class Visit>
 void TiledGround::each_near(glm::vec2 place, float distance, const Visit& visit) const {
-    const glm::ivec2 from = bucket_of(place - distance), to = bucket_of(place + distance);
-    for (int y = from.y; y <= to.y; ++y)
-        for (int x = from.x; x <= to.x; ++x)
-            for (const std::uint32_t n : bucket({x, y})) {
-                const Tile& tile = tiles_[n];
-                if (glm::max(tile.first_bucket, from) == glm::ivec2(x, y) && tile.is_near(place, distance))
-                    visit(tile);
-            }
+    tiles_at_.each_in({place - distance, place + distance},
+                      [&](std::uint32_t n) { return !tiles_[n].is_near(place, distance) || visit(tiles_[n]); });
+}
+
+// Tiles that stand upon each other have the same sides.
+void TiledGround::find_repeated() {
+    const auto is_ordered = [this](std::uint32_t a, std::uint32_t b) {
+        const auto key = [](const Tile& tile) {
+            return std::tuple(tile.between.x, tile.between.z, tile.whole.first.x, tile.whole.first.y, tile.whole.last.x,
+                              tile.whole.last.y, tile.to_own[0].x, tile.to_own[2].x, tile.holes.empty() ? 0u : 1u + tile.kind);
+        };
+        return key(tiles_[a]) < key(tiles_[b]);
+    };
+    order_.resize(tiles_.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(), is_ordered);
+    for (std::size_t n = 0; n < order_.size(); ++n)
+        tiles_[order_[n]].repeats = n > 0 && !is_ordered(order_[n - 1], order_[n]);
 }
 
 // The sides of all tiles and holes, less what other tiles go on over.
 void TiledGround::find_ends() {
     ends_.clear();
+    find_repeated();
     for (const Tile& tile : tiles_) {
         const auto add_sides = [&](const detail::GroundPart& part, float outwards) {
             for (int axis = 0; axis < 2; ++axis)
@@ -145,7 +103,7 @@ void TiledGround::find_ends() {
                     add_ends(tile, from, to, out);
                 }
         };
-        if (tile.goes_on())
+        if (tile.goes_on() || tile.repeats)
             continue;
         add_sides(tile.whole, 1.0f);
         for (const detail::GroundPart& hole : tile.holes)
@@ -153,17 +111,29 @@ void TiledGround::find_ends() {
     }
 }
 
-// The parts of a line that ground is under, in order.
+// The parts of a line that ground is under, in order; the whole once parts that were found cover it.
 void TiledGround::cover(glm::vec2 begin, glm::vec2 end) {
     covered_.clear();
+    glm::vec2 open(0.0f, 1.0f); // what no part covers is within
     each_near(0.5f * (begin + end), 0.5f * glm::distance(begin, end) + slack_, [&](const Tile& tile) {
+        if (tile.repeats)
+            return true;
         const glm::vec3 one = tile.own_place(begin), two = tile.own_place(end);
         for (const detail::GroundPart& part : tile.parts) {
             const detail::GroundPart wider{part.first - slack_, part.last + slack_};
-            if (const glm::vec2 over = detail::part_within(wider, {one.x, one.z}, {two.x, two.z}); over.x <= over.y)
-                covered_.push_back(over);
+            const glm::vec2 over = detail::part_within(wider, {one.x, one.z}, {two.x, two.z});
+            if (!(over.x <= over.y))
+                continue;
+            covered_.push_back(over);
+            if (over.x <= open.x)
+                open.x = std::max(open.x, over.y);
+            if (over.y >= open.y)
+                open.y = std::min(open.y, over.x);
         }
+        return open.x < open.y;
     });
+    if (open.x >= open.y)
+        covered_.assign(1, {0.0f, 1.0f});
     std::sort(covered_.begin(), covered_.end(), [](glm::vec2 a, glm::vec2 b) { return a.x < b.x; });
 }
 
@@ -188,17 +158,19 @@ float TiledGround::Tile::outside(glm::vec2 place) const {
     return nearest;
 }
 
-TiledGround::Level TiledGround::at(glm::vec2 place) const {
+TiledGround::Level TiledGround::at(glm::vec2 from_drawn) const {
+    const glm::vec2 place = here(from_drawn);
     Level found;
     for (const float slack : {0.0f, slack_}) {
-        for (const std::uint32_t n : bucket(bucket_of(place))) {
+        for (const std::uint32_t n : tiles_at_.at(place)) {
             const Tile& tile = tiles_[n];
             if (!tile.is_near(place, slack_) || tile.outside(place) > slack)
                 continue;
-            const Level here{
-                .height = detail::height_at(*tile.ground, tile.own_place(place)), .between = tile.between.y, .ground = true};
-            if (!found.ground || here.level() > found.level())
-                found = here;
+            const Level level{.height = detail::height_at(*tile.ground, tile.own_place(place)),
+                              .between = tile.between.y + from_.y,
+                              .ground = true};
+            if (!found.ground || level.level() > found.level())
+                found = level;
         }
         if (found.ground)
             break;
@@ -215,32 +187,54 @@ float TiledGround::to_end(glm::vec2 place) const {
         for (const detail::GroundPart& hole : tiles_.front().holes)
             nearest = std::min(nearest, hole.outside({own.x, own.z}));
     }
-    for (const End& end : ends_) {
-        const glm::vec2 along = end.to - end.from;
-        const float part = glm::clamp(glm::dot(place - end.from, along) / glm::dot(along, along), 0.0f, 1.0f);
-        nearest = std::min(nearest, glm::distance(place, end.from + part * along));
-    }
+    each_ring(ends_.size(), nearest, [&](float reach) {
+        ends_at_.each_in({place - reach, place + reach}, [&](std::uint32_t n) {
+            const End& end = ends_[n];
+            const glm::vec2 along = end.to - end.from;
+            const float part = glm::clamp(glm::dot(place - end.from, along) / glm::dot(along, along), 0.0f, 1.0f);
+            nearest = std::min(nearest, glm::distance(place, end.from + part * along));
+            return true;
+        });
+    });
     return nearest;
+}
+
+// look(reach) for distances up to `far` until what is nearest of `count` things is within: among many it is mostly near.
+template <class Look>
+void TiledGround::each_ring(std::size_t count, const float& nearest, const Look& look) const {
+    constexpr std::size_t k_few = 32;
+    float reach = count > k_few ? 0.125f * far_ : far_;
+    look(reach);
+    while (reach < far_ && nearest > reach) {
+        reach = std::min(2.0f * reach, far_);
+        look(reach);
+    }
 }
 
 // [m] Of a place that is outside of all; at most `far`.
 float TiledGround::beside(glm::vec3 place) const {
     const glm::vec2 level(place.x, place.z);
     float nearest = far_;
-    each_near(level, far_, [&](const Tile& tile) {
-        const float way = tile.outside(level);
-        const auto at_height = [&](float over) { return over > 0.0f ? glm::length(glm::vec2(way, over)) : way; };
-        if (at_height(place.y - tile.top) >= nearest)
-            return;
-        const float height = detail::height_at(*tile.ground, tile.own_place(level));
-        nearest = std::min(nearest, at_height(place.y + tile.between.y - height));
+    each_ring(tiles_.size(), nearest, [&](float reach) {
+        each_near(level, reach, [&](const Tile& tile) {
+            const glm::vec2 gap = glm::max(glm::max(tile.low - level, level - tile.high), 0.0f);
+            if (std::max({place.y - tile.top, gap.x, gap.y}) >= nearest)
+                return true;
+            const float way = tile.outside(level);
+            const auto at_height = [&](float over) { return over > 0.0f ? glm::length(glm::vec2(way, over)) : way; };
+            if (at_height(place.y - tile.top) >= nearest)
+                return true;
+            const float height = detail::height_at(*tile.ground, tile.own_place(level));
+            nearest = std::min(nearest, at_height(place.y + tile.between.y - height));
+            return true;
+        });
     });
     return nearest;
 }
 
 float TiledGround::away(const Level& level, glm::vec3 place) const {
     if (!level.ground)
-        return beside(place);
+        return beside(place + from_);
     return level.end < far_ ? std::max(level.rise(place.y), -level.end) : level.rise(place.y);
 }
 
@@ -255,28 +249,31 @@ glm::vec3 TiledGround::normal(glm::vec3 place, float step) const {
     return length > 0.0f ? rise / length : glm::vec3(0.0f);
 }
 
-float TiledGround::crest(glm::vec2 from, glm::vec2 to) const {
-    const glm::vec2 middle = 0.5f * (from + to);
+float TiledGround::crest(glm::vec2 from_drawn, glm::vec2 to_drawn) const {
+    const glm::vec2 from = here(from_drawn), to = here(to_drawn), middle = 0.5f * (from + to);
     const float half = 0.5f * glm::distance(from, to);
     float highest = -std::numeric_limits<float>::infinity();
     each_near(middle, half, [&](const Tile& tile) {
         glm::vec3 begin = tile.own_place(from), end = tile.own_place(to);
         begin.y = end.y = 0.0f;
         for (const detail::GroundPart& part : tile.parts)
-            highest = std::max(highest, -detail::least_rise(*tile.ground, part, begin, end) - tile.between.y);
+            highest = std::max(highest, -detail::least_rise(*tile.ground, part, begin, end) - (tile.between.y + from_.y));
+        return true;
     });
     return highest;
 }
 
-TiledGround::Owner TiledGround::owner(glm::vec2 centre) const {
+TiledGround::Owner TiledGround::owner(glm::vec2 from_drawn) const {
+    const glm::vec2 centre = here(from_drawn);
     for (const float reach : {slack_, k_into_column * cell_}) {
         const Tile* first = nullptr;
         each_near(centre, reach, [&](const Tile& tile) {
             if ((first == nullptr || &tile < first) && tile.outside(centre) <= reach)
                 first = &tile;
+            return true;
         });
-        if (first != nullptr)
-            return first->drawn ? Owner::drawn : Owner::other;
+        if (first != nullptr) // another image of a body is not it
+            return first->body == drawn_ && glm::length(first->between + from_) <= cell_ ? Owner::drawn : Owner::other;
     }
     return Owner::none;
 }

@@ -41,8 +41,6 @@ bool Solids::is_drawn_before(const PlacedObstacle& body, const PlacedObstacle& o
 
 void Solids::find_beside(std::size_t number) {
     beside_.clear();
-    if (tile_of_[number] != k_none)
-        return find_tiles_beside(number);
     const PlacedObstacle &body = bodies_[number], &whole = wholes_.of(number);
     if (is_shell(body))
         return;
