@@ -28,6 +28,7 @@
 #include "fluid/box.h"
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
+#include "fluid/solids/ground_tile.h"
 #include "fluid/solids/tiled_ground.h"
 #include "fluid/solids/together.h"
 #include "fluid/solids/wholes.h"
@@ -337,9 +338,8 @@ class Solids {
     void find_changed_tiles();
     [[nodiscard]] bool changed_near(const PlacedObstacle& tile, const PlacedObstacle& changed, float margin) const;
     [[nodiscard]] bool any_changed_near(std::size_t number, float margin) const;
-    struct TilePlace;
-    [[nodiscard]] bool surely_precedes(const TilePlace& one, const TilePlace& other) const;
-    [[nodiscard]] std::uint32_t kind_of(const TilePlace& tile) const;
+    [[nodiscard]] bool surely_precedes(const GroundTilePlace& one, const GroundTilePlace& other) const;
+    [[nodiscard]] std::uint32_t kind_of(const GroundTilePlace& tile) const;
     void find_drawers(bool as_before);
     void leave_out(std::size_t number);
     void sort_by_place();
@@ -460,30 +460,17 @@ class Solids {
     detail::HostVector<float> distances_, before_, depths_;
     detail::HostVector<glm::vec3> shut_; ///< scratch: how far a cell is, for edges along each axis
     detail::HostVector<Column> columns_; ///< scratch: of an upright ground; empty for all else
-    struct Tile {
-        std::size_t body;
-        detail::Extent extent; ///< [m] around its middle
-        std::uint32_t kind;    ///< as TiledGround::add
-    };
-    std::vector<Tile> tiles_;
-    struct TilePlace {
-        const PlacedObstacle* body;
-        glm::ivec3 image;              ///< by how many boxes it is from the body
-        glm::vec3 position, low, high; ///< [m]
-    };
-    struct Owned {
-        std::uint32_t holder = k_none, beside = k_none, highest = k_none;
-    };
+    std::vector<GroundTile> tiles_;
     static constexpr int k_beyond = 8; ///< [cells] drawn beyond the box, so that not every shift draws a large body again
     static constexpr float k_unknown = -1.0f;
     static constexpr float k_farthest_row = 16.0f; ///< [cells] what is as thick counts as thicker than any read is long
     static constexpr std::size_t k_no_ground = ~std::size_t{0}, k_all_tiles = k_no_ground - 1;
-    std::vector<TilePlace> tile_places_;                          ///< of all images
+    std::vector<GroundTilePlace> tile_places_;                    ///< of all images
     PlaneBuckets tiles_at_;                                       ///< the same by place
     std::vector<PlacedObstacle> changed_tiles_;                   ///< scratch of place
     bool tiles_are_drawn_ = true;                                 ///< else memory ended in the last placement
     std::vector<std::uint8_t> draws_;                             ///< whether each tile does
-    std::vector<Owned> owned_;                                    ///< scratch: of columns, places of tiles
+    std::vector<ColumnTiles> owned_;                              ///< scratch: of columns
     bool crowded_ = false;                                        ///< more tiles are beside one than are looked at for each
     Wholes wholes_;                                               ///< that the bodies are parts of
     Together together_;                                           ///< scratch: a body with those that it touches

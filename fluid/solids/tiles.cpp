@@ -50,7 +50,7 @@ void Solids::find_tiles() {
 void Solids::find_tile_places() {
     const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
     tile_places_.clear();
-    for (const Tile& tile : tiles_)
+    for (const GroundTile& tile : tiles_)
         for (int z = -images.z; z <= images.z; ++z)
             for (int x = -images.x; x <= images.x; ++x) {
                 const glm::vec3 place = bodies_[tile.body].position + glm::vec3(x, 0, z) * box_.size();
@@ -58,7 +58,7 @@ void Solids::find_tile_places() {
                     {&bodies_[tile.body], {x, 0, z}, place, place + tile.extent.low, place + tile.extent.high});
             }
     tiles_at_.fill(tile_places_.size(), k_apart_at_most * box_.cell_size, [this](std::size_t n) {
-        const TilePlace& at = tile_places_[n];
+        const GroundTilePlace& at = tile_places_[n];
         return PlaneBuckets::Rectangle{{at.low.x, at.low.z}, {at.high.x, at.high.z}};
     });
 }
@@ -69,7 +69,7 @@ void Solids::find_changed_tiles() {
     for (const Drawing& before : drawings_before_)
         if (!std::isnan(before.body.position.x) && TiledGround::is_tile(before.body))
             changed_tiles_.push_back(before.body);
-    for (const Tile& tile : tiles_)
+    for (const GroundTile& tile : tiles_)
         if (kept_[tile.body] == 0 || drawings_[tile.body].body.surface != bodies_[tile.body].surface)
             changed_tiles_.push_back(bodies_[tile.body]);
 }
@@ -91,7 +91,7 @@ bool Solids::any_changed_near(std::size_t number, float margin) const {
 }
 
 // Whether one tile comes before another where both could own a column, whatever rounding does (TiledGround::end).
-bool Solids::surely_precedes(const TilePlace& one, const TilePlace& other) const {
+bool Solids::surely_precedes(const GroundTilePlace& one, const GroundTilePlace& other) const {
     const float slack = TiledGround::k_slack * box_.cell_size;
     const std::uint32_t kinds[] = {kind_of(one), kind_of(other)};
     if (kinds[0] != kinds[1])
@@ -106,7 +106,7 @@ bool Solids::surely_precedes(const TilePlace& one, const TilePlace& other) const
     return one.body->slot < other.body->slot;
 }
 
-std::uint32_t Solids::kind_of(const TilePlace& tile) const {
+std::uint32_t Solids::kind_of(const GroundTilePlace& tile) const {
     return tiles_[tile_of_[static_cast<std::size_t>(tile.body - bodies_.data())]].kind;
 }
 
@@ -124,7 +124,7 @@ void Solids::find_drawers(bool as_before) {
     if (tiles_.size() <= k_few)
         return;
     draws_.assign(tiles_.size(), 0);
-    const auto is_narrow = [this](const Tile& tile) {
+    const auto is_narrow = [this](const GroundTile& tile) {
         const glm::vec3 size = tile.extent.high - tile.extent.low;
         return std::min(size.x, size.z) < box_.cell_size;
     };
@@ -133,7 +133,7 @@ void Solids::find_drawers(bool as_before) {
     const Reach all{-beyond, box_.cells + beyond};
     owned_.assign(static_cast<std::size_t>(all.high.x - all.low.x) * static_cast<std::size_t>(all.high.z - all.low.z), {});
     // visit(column, [m] its centre outside of the tile)
-    const auto each_column = [&](const TilePlace& tile, const auto& visit) {
+    const auto each_column = [&](const GroundTilePlace& tile, const auto& visit) {
         PlacedObstacle image = *tile.body;
         image.position = tile.position;
         const View view(*tile.body, tile.image * box_.cells, box_);
@@ -153,7 +153,7 @@ void Solids::find_drawers(bool as_before) {
             owner = n;
     };
     for (std::uint32_t n = 0; n < tile_places_.size(); ++n)
-        each_column(tile_places_[n], [&](Owned& column, float outside) {
+        each_column(tile_places_[n], [&](ColumnTiles& column, float outside) {
             if (outside <= 0.5f * slack)
                 first(column.holder, n);
             if (outside <= into - slack)
@@ -162,7 +162,7 @@ void Solids::find_drawers(bool as_before) {
                 column.highest = n;
         });
     for (std::uint32_t n = 0; n < tile_places_.size(); ++n)
-        each_column(tile_places_[n], [&](const Owned& column, float outside) {
+        each_column(tile_places_[n], [&](const ColumnTiles& column, float outside) {
             const auto may_be = [&](std::uint32_t owner) {
                 return owner == k_none || !surely_precedes(tile_places_[owner], tile_places_[n]);
             };
@@ -173,11 +173,11 @@ void Solids::find_drawers(bool as_before) {
                 draws_[tile_of_[static_cast<std::size_t>(tile_places_[n].body - bodies_.data())]] = 1;
         });
     std::size_t narrow = 0;
-    for (const Tile& tile : tiles_)
+    for (const GroundTile& tile : tiles_)
         narrow += is_narrow(tile) ? 1 : 0;
     for (std::size_t n = 0; n < tiles_.size() && narrow > k_crowd && !crowded_; ++n)
         if (draws_[n] != 0)
-            crowded_ = std::count_if(tiles_.begin(), tiles_.end(), [&](const Tile& other) {
+            crowded_ = std::count_if(tiles_.begin(), tiles_.end(), [&](const GroundTile& other) {
                            return is_narrow(other) && are_within(beside_margin(), tiles_[n].extent, other.extent,
                                                                  bodies_[other.body].position - bodies_[tiles_[n].body].position);
                        }) > static_cast<std::ptrdiff_t>(k_crowd);
@@ -236,7 +236,7 @@ float Solids::row_from(glm::vec3 place, glm::vec3 way) const {
         const glm::vec3 at = place + distance * way;
         float deepest = -1.0f;
         for (const std::uint32_t n : tiles_at_.at({at.x, at.z})) {
-            const TilePlace& near = tile_places_[n];
+            const GroundTilePlace& near = tile_places_[n];
             const auto beyond = [&](int axis) { return at[axis] < near.low[axis] - touch || at[axis] > near.high[axis] + touch; };
             if (beyond(0) || beyond(2))
                 continue;
@@ -290,7 +290,7 @@ void Solids::collect_ground(std::size_t number, const View& view) {
     const View& middle = of_all ? from_corner : view;
     if (!of_all)
         ground_.draw(bodies_[number]);
-    for (const Tile& other : tiles_)
+    for (const GroundTile& other : tiles_)
         for (int z = -2 * images.z; z <= 2 * images.z; ++z)
             for (int x = -2 * images.x; x <= 2 * images.x; ++x) {
                 const PlacedObstacle& body = bodies_[other.body];
