@@ -8,44 +8,25 @@
 namespace windrow {
 namespace detail {
 
-void fields(auto& archive, Like<MotorId> auto& id) {
-    auto& [slot, generation, owner] = id; // a log is for any wind that starts from the same snapshot
+template <class T, class... Kinds>
+concept LikeOneOf = (Like<T, Kinds> || ...);
+
+// Without the owner: a log is for any wind that starts from the same snapshot.
+void fields(auto& archive, LikeOneOf<MotorId, ObstacleId, DragId> auto& id) {
+    auto& [slot, generation, owner] = id;
     archive(slot, generation);
 }
 
-void fields(auto& archive, Like<MotorAdded> auto& event) {
-    auto& [id, motor] = event;
-    archive(id, motor);
+void fields(auto& archive, LikeOneOf<MotorRemoved, ObstacleRemoved, DragRemoved, Followed, FloorSet, OriginShifted, AmbientSet,
+                                     BoundariesSet, Stepped, Advanced> auto& event) {
+    auto& [field] = event;
+    archive(field);
 }
 
-void fields(auto& archive, Like<MotorSet> auto& event) {
-    auto& [id, motor] = event;
-    archive(id, motor);
-}
-
-void fields(auto& archive, Like<MotorMoved> auto& event) {
-    auto& [id, position] = event;
-    archive(id, position);
-}
-
-void fields(auto& archive, Like<MotorRemoved> auto& event) {
-    auto& [id] = event;
-    archive(id);
-}
-
-void fields(auto& archive, Like<ObstacleId> auto& id) {
-    auto& [slot, generation, owner] = id; // as of a motor
-    archive(slot, generation);
-}
-
-void fields(auto& archive, Like<ObstacleAdded> auto& event) {
-    auto& [id, obstacle] = event;
-    archive(id, obstacle);
-}
-
-void fields(auto& archive, Like<ObstacleSet> auto& event) {
-    auto& [id, obstacle] = event;
-    archive(id, obstacle);
+void fields(auto& archive,
+            LikeOneOf<MotorAdded, MotorSet, MotorMoved, ObstacleAdded, ObstacleSet, DragAdded, DragSet> auto& event) {
+    auto& [id, field] = event;
+    archive(id, field);
 }
 
 void fields(auto& archive, Like<ObstacleMoved> auto& event) {
@@ -53,59 +34,9 @@ void fields(auto& archive, Like<ObstacleMoved> auto& event) {
     archive(id, position, orientation, spin);
 }
 
-void fields(auto& archive, Like<ObstacleRemoved> auto& event) {
-    auto& [id] = event;
-    archive(id);
-}
-
-void fields(auto& archive, Like<DragId> auto& id) {
-    auto& [slot, generation, owner] = id; // as of a motor
-    archive(slot, generation);
-}
-
-void fields(auto& archive, Like<DragAdded> auto& event) {
-    auto& [id, deposit] = event;
-    archive(id, deposit);
-}
-
-void fields(auto& archive, Like<DragSet> auto& event) {
-    auto& [id, deposit] = event;
-    archive(id, deposit);
-}
-
-void fields(auto& archive, Like<DragRemoved> auto& event) {
-    auto& [id] = event;
-    archive(id);
-}
-
-void fields(auto& archive, Like<Followed> auto& event) {
-    auto& [point] = event;
-    archive(point);
-}
-
-void fields(auto& archive, Like<FloorSet> auto& event) {
-    auto& [height] = event;
-    archive(height);
-}
-
-void fields(auto& archive, Like<OriginShifted> auto& event) {
-    auto& [offset] = event;
-    archive(offset);
-}
-
-void fields(auto& archive, Like<AmbientSet> auto& event) {
-    auto& [ambient] = event;
-    archive(ambient);
-}
-
 void fields(auto& archive, Like<GustsSet> auto& event) {
     auto& [intensity, length, seed, tile] = event;
     archive(intensity, length, seed, tile);
-}
-
-void fields(auto& archive, Like<BoundariesSet> auto& event) {
-    auto& [boundaries] = event;
-    archive(boundaries);
 }
 
 void fields(auto& archive, Like<VelocitySet> auto& event) {
@@ -121,16 +52,6 @@ void fields(auto& archive, Like<VelocitySet> auto& event) {
 }
 
 void fields(auto&, Like<WindReset> auto&) {}
-
-void fields(auto& archive, Like<Stepped> auto& event) {
-    auto& [dt] = event;
-    archive(dt);
-}
-
-void fields(auto& archive, Like<Advanced> auto& event) {
-    auto& [dt] = event;
-    archive(dt);
-}
 
 void fields(auto& archive, Like<TickRecorded> auto& event) {
     auto& [substeps, limits, rests] = event;

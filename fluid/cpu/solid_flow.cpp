@@ -193,38 +193,41 @@ void SolidFlow::spread_changes(float* divergence) const {
             divergence[solids_.potential_of(solids_.place_of(cell))] -= solids_.change_in(cell);
 }
 
-void SolidFlow::level(float* potential) const {
+namespace {
+
+// Takes the mean of values by volume off in each sealed part, whose numbers of `all` end at a member of it.
+template <class VolumeOf, class ValueOf>
+void take_means(std::span<const Solids::SealedPart> parts, std::uint32_t Solids::SealedPart::*end,
+                std::span<const std::uint32_t> all, const VolumeOf& volume_of, const ValueOf& value_of) {
     std::size_t first = 0;
-    for (const Solids::SealedPart& part : solids_.sealed_parts()) {
-        const auto cells = solids_.sealed_cells().subspan(first, part.end - first);
+    for (const Solids::SealedPart& part : parts) {
+        const auto numbers = all.subspan(first, part.*end - first);
         double sum = 0.0, whole = 0.0;
-        for (const std::uint32_t cell : cells) {
-            const auto volume = static_cast<double>(box_.volume(solids_.place_of(cell).y));
-            sum += volume * static_cast<double>(potential[solids_.potential_of(solids_.place_of(cell))]);
+        for (const std::uint32_t n : numbers) {
+            const auto volume = static_cast<double>(volume_of(n));
+            sum += volume * static_cast<double>(value_of(n));
             whole += volume;
         }
         const auto mean = static_cast<float>(sum / whole);
-        for (const std::uint32_t cell : cells)
-            potential[solids_.potential_of(solids_.place_of(cell))] -= mean;
-        first = part.end;
+        for (const std::uint32_t n : numbers)
+            value_of(n) -= mean;
+        first = part.*end;
     }
 }
 
+} // namespace
+
+void SolidFlow::level(float* potential) const {
+    take_means(
+        solids_.sealed_parts(), &Solids::SealedPart::end, solids_.sealed_cells(),
+        [&](std::uint32_t cell) { return box_.volume(solids_.place_of(cell).y); },
+        [&](std::uint32_t cell) -> float& { return potential[solids_.potential_of(solids_.place_of(cell))]; });
+}
+
 void SolidFlow::balance(std::span<float> residual) const {
-    const std::span<const Solids::SurfaceCell> surface = solids_.surface();
-    std::size_t first = 0;
-    for (const Solids::SealedPart& part : solids_.sealed_parts()) {
-        const auto cells = solids_.sealed_surface().subspan(first, part.surface_end - first);
-        double sum = 0.0, whole = 0.0;
-        for (const std::uint32_t n : cells) {
-            sum += static_cast<double>(surface[n].volume) * static_cast<double>(residual[n]);
-            whole += static_cast<double>(surface[n].volume);
-        }
-        const auto mean = static_cast<float>(sum / whole);
-        for (const std::uint32_t n : cells)
-            residual[n] -= mean;
-        first = part.surface_end;
-    }
+    take_means(
+        solids_.sealed_parts(), &Solids::SealedPart::surface_end, solids_.sealed_surface(),
+        [&](std::uint32_t n) { return solids_.surface()[n].volume; }, [&](std::uint32_t n) -> float& { return residual[n]; });
 }
 
 // Of a face's flux, in the cell at one end.
