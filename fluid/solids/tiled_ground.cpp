@@ -215,17 +215,31 @@ void TiledGround::each_ring(std::size_t count, const float& nearest, const Look&
 float TiledGround::beside(glm::vec3 place) const {
     const glm::vec2 level(place.x, place.z);
     float nearest = far_;
+    const auto beyond = [level](const Tile& tile) {
+        const glm::vec2 gap = glm::max(glm::max(tile.low - level, level - tile.high), 0.0f);
+        return std::max(gap.x, gap.y);
+    };
+    const auto look_at = [&](const Tile& tile) {
+        if (std::max(place.y - tile.top, beyond(tile)) >= nearest)
+            return;
+        const float way = tile.outside(level);
+        const auto at_height = [&](float over) { return over > 0.0f ? glm::length(glm::vec2(way, over)) : way; };
+        if (at_height(place.y - tile.top) >= nearest)
+            return;
+        const float height = detail::height_at(*tile.ground, tile.own_place(level));
+        nearest = std::min(nearest, at_height(place.y + tile.between.y - height));
+    };
     each_ring(tiles_.size(), nearest, [&](float reach) {
+        const Tile* first = nullptr; // after the one that is nearest to it, most others need no look
         each_near(level, reach, [&](const Tile& tile) {
-            const glm::vec2 gap = glm::max(glm::max(tile.low - level, level - tile.high), 0.0f);
-            if (std::max({place.y - tile.top, gap.x, gap.y}) >= nearest)
-                return true;
-            const float way = tile.outside(level);
-            const auto at_height = [&](float over) { return over > 0.0f ? glm::length(glm::vec2(way, over)) : way; };
-            if (at_height(place.y - tile.top) >= nearest)
-                return true;
-            const float height = detail::height_at(*tile.ground, tile.own_place(level));
-            nearest = std::min(nearest, at_height(place.y + tile.between.y - height));
+            if (first == nullptr || beyond(tile) < beyond(*first))
+                first = &tile;
+            return true;
+        });
+        if (first != nullptr)
+            look_at(*first);
+        each_near(level, reach, [&](const Tile& tile) {
+            look_at(tile);
             return true;
         });
     });
