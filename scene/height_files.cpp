@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -87,12 +86,7 @@ class Words {
         left_.remove_prefix(end);
         return word;
     }
-    [[nodiscard]] std::optional<double> number() { return number_of(next()); }
-    [[nodiscard]] static std::optional<double> number_of(std::string_view word) {
-        double value = 0.0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        return error == std::errc() && end == word.data() + word.size() && !word.empty() ? std::optional(value) : std::nullopt;
-    }
+    [[nodiscard]] std::optional<double> number() { return detail::number_of<double>(next()); }
 
   private:
     std::string_view left_;
@@ -114,7 +108,7 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
     for (std::string_view word = words.next(); !first; word = words.next()) {
         if (word.empty())
             return no_grid;
-        first = Words::number_of(word);
+        first = detail::number_of<double>(word);
         if (first)
             break;
         const bool known =

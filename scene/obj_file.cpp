@@ -4,7 +4,6 @@
 #include "fluid/files/text_lines.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -14,7 +13,7 @@
 namespace windrow::scene {
 namespace {
 
-using detail::message, detail::take_word, detail::trimmed;
+using detail::message, detail::number_of, detail::take_word, detail::trimmed;
 
 constexpr std::size_t k_max_libraries = 64;
 
@@ -165,24 +164,21 @@ class Scanner {
             return fail("there are more than ", limits_.vertices, " lines ", k_keys[kind], ": give fewer.");
         Vector& values = list.emplace_back(0.0f);
         for (int i = 0; i < Vector::length(); ++i) {
-            std::string_view word = take_word(words);
-            const std::string_view written = word;
+            const std::string_view word = take_word(words);
             if (word.empty() && i >= least)
                 return;
-            if (word.starts_with('+'))
-                word.remove_prefix(1);
-            const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), values[i]);
-            if (fault != std::errc() || end != word.data() + word.size() || !(std::abs(values[i]) <= 1e30f))
-                return fail(k_keys[kind], " has '", written, "': give ", least, " finite numbers.");
+            const auto number = number_of<float>(word);
+            if (!number || !(std::abs(*number) <= 1e30f))
+                return fail(k_keys[kind], " has '", word, "': give ", least, " finite numbers.");
+            values[i] = *number;
         }
     }
 
     // One index of a corner, from 1; 0: rejected.
     std::size_t index(Kind kind, std::string_view word) {
-        long long value = 0;
-        const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+        const long long value = number_of<long long>(word).value_or(0);
         const auto count = static_cast<long long>(counts_[kind]);
-        if (fault != std::errc() || end != word.data() + word.size() || value == 0 || value > count || value < -count) {
+        if (value == 0 || value > count || value < -count) {
             fail("the face's index '", word, "' means no ", k_keys[kind], " above it: give 1 to ", count, ".");
             return 0;
         }

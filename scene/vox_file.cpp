@@ -3,10 +3,10 @@
 
 #include "fluid/core/bytes.h"
 #include "fluid/core/message.h"
+#include "fluid/files/text_lines.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdlib>
 #include <glm/vector_relational.hpp>
 #include <limits>
@@ -180,11 +180,9 @@ class VoxReader {
             if (*key == "_t")
                 take_way(at, *value, node.pose);
             if (*key == "_r") {
-                int bits = -1;
-                const auto [read, trouble] = std::from_chars(value->data(), value->data() + value->size(), bits);
+                const int bits = detail::number_of<int>(*value).value_or(-1);
                 const Pose turn = turn_of(bits & 127);
-                if (trouble != std::errc() || read != value->data() + value->size() || bits < 0 || bits > 127 ||
-                    !turn.turns_whole())
+                if (bits < 0 || bits > 127 || !turn.turns_whole())
                     return fail(at, "a node's _r is no turn along the axes; export the file again.");
                 node.pose.from = turn.from;
                 node.pose.sign = turn.sign;
@@ -193,18 +191,12 @@ class VoxReader {
     }
     void take_way(std::size_t at, std::string_view words, Pose& pose) {
         constexpr int k_farthest = 1'000'000; // thousands of these in a row are far from the ends of 64 bits
-        const char* from = words.data();
-        const char* const end = from + words.size();
         for (std::int64_t& by : pose.by) {
-            while (from < end && *from == ' ')
-                ++from;
-            int cells = 0;
-            const auto [read, trouble] = std::from_chars(from, end, cells);
-            if (trouble != std::errc() || std::abs(cells) > k_farthest)
+            const auto cells = detail::number_of<std::int64_t>(detail::take_word(words));
+            if (!cells || *cells > k_farthest || *cells < -k_farthest)
                 return fail(at, "a node's _t is not three whole numbers of cells within +-", k_farthest,
                             "; export the file again.");
-            by = cells;
-            from = read;
+            by = *cells;
         }
     }
 

@@ -1,10 +1,9 @@
 #include "fluid/files/pgm.h"
 
 #include "fluid/core/message.h"
+#include "fluid/files/text_lines.h"
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 #include <vector>
 
 namespace windrow::detail {
@@ -34,10 +33,9 @@ class Words {
 
 template <class Number>
 bool read_whole(std::string_view word, Number& number) {
-    if (word.starts_with('+'))
-        word.remove_prefix(1);
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return fault == std::errc{} && end == word.data() + word.size();
+    const auto read = detail::number_of<Number>(word);
+    number = read.value_or(number);
+    return read.has_value();
 }
 
 } // namespace

@@ -1,9 +1,15 @@
-// The lines of a text file and their words, for the small readers of OBJ and mtl. A line ends with \n or \r\n; a byte order mark
-// before the first is no part of it.
+// The lines of a text file, their words, and the numbers that these spell, for all readers of text. A line ends with \n or \r\n; a byte
+// order mark before the first is no part of it.
 #pragma once
 
+#include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <type_traits>
 
 namespace windrow::detail {
 
@@ -51,6 +57,27 @@ class TextLines {
     const std::string_view word = line.substr(0, line.find_first_of(" \t"));
     line.remove_prefix(word.size());
     return word;
+}
+
+/// The finite number that the whole of `word` spells, in every locale; nothing for anything else. It may begin with +. What is too
+/// small for a number of the kind is 0.
+template <class Number>
+[[nodiscard]] std::optional<Number> number_of(std::string_view word) {
+    if (word.starts_with('+') && !word.starts_with("+-"))
+        word.remove_prefix(1);
+    Number value{};
+    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (word.empty() || end != word.data() + word.size() || fault == std::errc::invalid_argument)
+        return std::nullopt;
+    if constexpr (std::is_floating_point_v<Number>) {
+        // from_chars reports both ends of the range alike; of a number this short only a negative exponent makes it too small.
+        if (fault == std::errc::result_out_of_range && word.size() <= 64 && word.find_first_of("eE") != word.npos &&
+            word[word.find_first_of("eE") + 1] == '-')
+            return Number{};
+        if (!std::isfinite(value))
+            return std::nullopt;
+    }
+    return fault == std::errc{} ? std::optional(value) : std::nullopt;
 }
 
 } // namespace windrow::detail

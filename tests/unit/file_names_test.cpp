@@ -85,6 +85,23 @@ TEST_F(FileNames, LinesEndInEitherWay) {
     }
 }
 
+// All readers of text call it: heights, meshes, voxels, scenes, tables, flags.
+TEST(Words, SpellNumbersInOneWay) {
+    using detail::number_of;
+    EXPECT_EQ(number_of<double>("+1.5e3"), 1500.0);
+    EXPECT_EQ(number_of<float>("-.25"), -0.25f);
+    EXPECT_EQ(number_of<int>("+7"), 7);
+    EXPECT_EQ(number_of<std::uint32_t>("65535"), 65535u);
+    for (const char* tiny : {"1e-400", "-2.5E-999", "0.1e-46"}) // an exporter's rounding
+        EXPECT_EQ(number_of<float>(tiny), 0.0f) << tiny;
+    for (const char* none : {"", "+", "+-1", "++1", "1,5", "1.5m", " 1", "1 ", "nan", "inf", "-inf", "1e400", "0x10", "e-1"})
+        EXPECT_FALSE(number_of<double>(none)) << none;
+    for (const char* none : {"1.0", "1e2", "99999999999999999999", "-"})
+        EXPECT_FALSE(number_of<long long>(none)) << none;
+    EXPECT_FALSE(number_of<std::uint32_t>("-1"));
+    EXPECT_FALSE(number_of<int>("2147483648"));
+}
+
 TEST_F(FileNames, OfFoldersAndInMissingFoldersAreRejected) {
     EXPECT_EQ(NewFile(folder).error(), EISDIR);
     EXPECT_EQ(NewFile(folder / "missing" / "name").error(), ENOENT);

@@ -4,7 +4,6 @@
 #include "fluid/files/text_lines.h"
 
 #include <array>
-#include <charconv>
 
 namespace windrow::vegetation::fur {
 namespace {
@@ -14,11 +13,11 @@ using windrow::detail::message, windrow::detail::take_word, windrow::detail::Tex
 using windrow::Error;
 using windrow::Result;
 
-// A whole word as a number; from_chars knows no locale.
 template <class Number>
 bool read(std::string_view word, Number& number) {
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-    return fault == std::errc() && end == word.data() + word.size();
+    const auto read = windrow::detail::number_of<Number>(word);
+    number = read.value_or(number);
+    return read.has_value();
 }
 
 Result<FurLine> fur_of(std::string_view words, const std::string& place) {

@@ -308,11 +308,13 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app) {
 
 /// "1920x1080".
 std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) {
-    int width = 0, height = 0, used = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 || used != static_cast<int>(text.size()) ||
-        width < 16 || height < 16 || width > 8192 || height > 8192)
+    const std::string_view words = text;
+    const std::size_t cross = std::min(words.find('x'), words.size());
+    const auto width = windrow::scene::parse_whole_number(words.substr(0, cross)),
+               height = windrow::scene::parse_whole_number(words.substr(std::min(cross + 1, words.size())));
+    if (!width || !height || *width < 16 || *height < 16 || *width > 8192 || *height > 8192)
         return "--size is \"" + text + "\"; give it as WIDTHxHEIGHT, 16 to 8192 pixels each.";
-    size = glm::ivec2(width, height);
+    size = glm::ivec2(*width, *height);
     return {};
 }
 
