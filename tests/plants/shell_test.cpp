@@ -192,6 +192,50 @@ TEST(Shell, NeverEntersABodyInAnyPose) {
     }
 }
 
+// The radius of a hollow, over the strands' length, below which tips enter the body about it: from the tip's place over a level skin,
+// (d^2 + h^2) / 2 h. Held against a hollow ball: no tip of a wider one is in its wall, and all of a narrower one are.
+double narrowest_hollow(const Shells& fur, float speed) {
+    const glm::vec3 up{0.0f, 1.0f, 0.0f};
+    const glm::dvec3 tip(fur.bent(glm::vec3(0.0f), up, 1.0f, 1.0f, fur.load(up, 1.0f, {speed, 0.0f, 0.0f})));
+    const double length = static_cast<double>(fur.settings().length), radius = glm::dot(tip, tip) / (2.0 * tip.y);
+    for (const double wider : {0.98, 1.02}) {
+        const glm::dvec3 bottom(0.0, -wider * radius, 0.0);
+        EXPECT_EQ(glm::length(bottom + tip) > wider * radius, wider < 1.0) << speed;
+    }
+    return radius / length;
+}
+
+// As coupling/shell.h states.
+TEST(Shell, EntersABodyInNarrowHollows) {
+    for (const auto& [length, radius] : {std::pair(0.03f, 0.9), std::pair(0.06f, 1.6), std::pair(0.1f, 2.6)})
+        EXPECT_NEAR(narrowest_hollow(shells({.length = length, .sag = 0.0f}), 20.0f), radius, 0.06) << length;
+    for (const float length : {0.03f, 0.06f}) {
+        const Shells fur = shells({.length = length});
+        int tips = 0, inside = 0;
+        double depth = 0.0;
+        for (const glm::vec3 way : {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(-1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f)})
+            for (const test::SkinPoint& at : test::bumpy_body(240, 192)) {
+                if (std::abs(at.share.x - 0.5f) > 0.42f) // its ends are cut
+                    continue;
+                const glm::dvec3 tip(fur.bent(at.position, at.normal, 1.0f, 1.0f, fur.load(at.normal, 1.0f, 20.0f * way)));
+                const double deep = test::bumpy_radius((tip.x + 0.8) / 1.6, std::atan2(tip.z, tip.y)) - std::hypot(tip.y, tip.z);
+                ++tips;
+                if (deep > 1e-5) {
+                    ++inside;
+                    depth += deep / static_cast<double>(length);
+                }
+            }
+        const std::string name = "plants/shell/raw_tips_inside_at_20_m_s/" + std::to_string(std::lround(100.0f * length)) + "_cm";
+        const double part = test::figure(name, static_cast<double>(inside) / tips);
+        if (length < 0.05f) {
+            EXPECT_LE(part, 1e-4);
+        } else {
+            EXPECT_NEAR(part, 0.013, 0.002);
+            EXPECT_NEAR(test::figure(name + "/depth_over_length", depth / inside), 0.10, 0.01);
+        }
+    }
+}
+
 // Were displacement applied before skinning, the pose would turn the wind with the bones.
 TEST(Shell, LeansWithTheWorldsWindOnATurnedBody) {
     const Shells fur = shells({.length = 0.05f, .sag = 0.0f});

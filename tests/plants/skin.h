@@ -15,13 +15,17 @@ struct SkinPoint {
     glm::vec2 share; ///< how far along and around the body, 0 to 1
 };
 
+/// [m] Of the body, `a` along it, 0 to 1, at an angle around it.
+inline double bumpy_radius(double a, double turn) {
+    const double taper = std::sqrt(std::max(1e-4, 1.0 - 0.9 * std::pow(2.0 * a - 1.0, 2.0)));
+    return taper * (0.3 + 0.08 * std::sin(9.0 * a) + 0.03 * std::sin(7.0 * turn) * std::sin(30.0 * a));
+}
+
 /// A body like an animal's: a tube along x, thick and thin by turns, with bumps all over; 1.6 m long. Normals by differences in
 /// double.
 inline std::vector<SkinPoint> bumpy_body(int along = 60, int around = 48) {
     const auto at = [](double a, double b) {
-        const double x = 1.6 * a - 0.8, turn = 6.283185307179586 * b;
-        const double taper = std::sqrt(std::max(1e-4, 1.0 - 0.9 * std::pow(2.0 * a - 1.0, 2.0)));
-        const double radius = taper * (0.3 + 0.08 * std::sin(9.0 * a) + 0.03 * std::sin(7.0 * turn) * std::sin(30.0 * a));
+        const double x = 1.6 * a - 0.8, turn = 6.283185307179586 * b, radius = bumpy_radius(a, turn);
         return glm::dvec3(x, radius * std::cos(turn), radius * std::sin(turn));
     };
     std::vector<SkinPoint> points;
