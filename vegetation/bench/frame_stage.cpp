@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::bench {
 namespace {
@@ -59,7 +60,9 @@ FrameStage::FrameStage(const FrameCase& wanted) {
         must(read.failure());
     scene_ = std::make_unique<program::PictureScene>(*std::move(read));
     scene_->picture.grass.front().drawn.field = wanted.grass;
-    auto made = program::SceneRenderer::create(*scene_, wanted.scene_renderer);
+    program::SceneRendererSettings settings = wanted.scene_renderer;
+    settings.get_instance_proc_addr = vkGetInstanceProcAddr; // this program's, which counts memory
+    auto made = program::SceneRenderer::create(*scene_, settings);
     if (!made)
         must(made.failure());
     scene_renderer_ = *std::move(made);

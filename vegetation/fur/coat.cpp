@@ -2,6 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "shader_words/coat_skin.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::fur {
 namespace {

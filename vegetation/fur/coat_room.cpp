@@ -2,6 +2,7 @@
 
 #include "shader_words/coat_outside.h"
 #include "shader_words/coat_patches.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 #include "vegetation/vulkan/pipeline.h"
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::fur {
 namespace {

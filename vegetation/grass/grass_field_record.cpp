@@ -1,9 +1,10 @@
 // What a field records in a frame.
 #include "vegetation/grass/grass_field_state.h"
 
+#include "vegetation/vulkan/calls.h"
+
 #include <algorithm>
 #include <cmath>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::grass {
 namespace {

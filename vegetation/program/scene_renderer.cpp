@@ -35,7 +35,8 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const PictureScene&
 }
 
 Result<void> SceneRenderer::make() {
-    auto device = engine::Device::create({.staged = settings_.staged});
+    auto device =
+        engine::Device::create({.staged = settings_.staged, .get_instance_proc_addr = settings_.get_instance_proc_addr});
     if (!device)
         return device.failure();
     device_ = *std::move(device);

@@ -48,6 +48,7 @@ struct SceneRendererSettings {
     bool counts = false;              ///< vertices and fragments of the colour pass are counted
     std::optional<int> max_blades{};  ///< of each layer, looked at once a frame; default: the layer's own
     bool staged = false;              ///< engine::DeviceSettings::staged
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr; ///< engine::DeviceSettings::get_instance_proc_addr
 };
 
 /// Device memory by what it is for, [bytes].

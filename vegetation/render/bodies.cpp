@@ -3,10 +3,10 @@
 #include "shader_words/solid_frag.h"
 #include "shader_words/solid_shadow_vert.h"
 #include "shader_words/solid_vert.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <cstring>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

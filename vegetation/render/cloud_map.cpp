@@ -3,10 +3,10 @@
 #include "shader_words/cloud_map_frag.h"
 #include "shader_words/full_screen_vert.h"
 #include "vegetation/render/light_numerics.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/pipeline.h"
 
 #include <algorithm>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

@@ -8,6 +8,7 @@
 #include "shader_words/field_ground.h"
 #include "shader_words/field_swung.h"
 #include "vegetation/render/plant_look_block.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <utility>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

@@ -5,10 +5,10 @@
 #include "shader_words/blur_streak_frag.h"
 #include "shader_words/blur_streak_samples_frag.h"
 #include "shader_words/full_screen_vert.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

@@ -4,13 +4,13 @@
 #include "shader_words/full_screen_vert.h"
 #include "shader_words/sky_frag.h"
 #include "shader_words/tone_frag.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
 #include <cstring>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

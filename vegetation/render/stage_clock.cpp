@@ -1,6 +1,7 @@
 #include "vegetation/render/stage_clock.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
+
 
 namespace windrow::vegetation::render {
 

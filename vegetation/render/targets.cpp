@@ -1,9 +1,10 @@
 #include "vegetation/render/targets.h"
 
+#include "vegetation/vulkan/calls.h"
+
 #include <array>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

@@ -4,11 +4,11 @@
 #include "shader_words/terrain_shadow_vert.h"
 #include "shader_words/terrain_vert.h"
 #include "vegetation/render/plant_look_block.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <array>
 #include <cstring>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 

@@ -1,6 +1,7 @@
 #include "vegetation/render/vertex_counter.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
+
 
 namespace windrow::vegetation::render {
 

@@ -4,11 +4,11 @@
 #include "shader_words/wind_arrow_vert.h"
 #include "shader_words/wind_lattice_frag.h"
 #include "shader_words/wind_slice_vert.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
 #include <cstring>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

@@ -4,6 +4,7 @@
 #include "shader_words/solid_frag.h"
 #include "shader_words/solid_vert.h"
 #include "vegetation/render/solids.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::render {
 namespace {

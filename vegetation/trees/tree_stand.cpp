@@ -11,6 +11,7 @@
 #include "shader_words/tree_shadow_vert.h"
 #include "vegetation/trees/chance.h"
 #include "vegetation/trees/tree_wind.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::trees {
 namespace {

@@ -1,6 +1,6 @@
 #include "vegetation/vulkan/canvas.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
 
 namespace windrow::vegetation::engine {
 

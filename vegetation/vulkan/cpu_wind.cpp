@@ -1,9 +1,9 @@
 #include "vegetation/vulkan/cpu_wind.h"
 
 #include "fluid/core/message.h"
+#include "vegetation/vulkan/calls.h"
 
 #include <glm/common.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {

@@ -1,7 +1,8 @@
 #include "vegetation/vulkan/descriptors.h"
 
+#include "vegetation/vulkan/calls.h"
+
 #include <map>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {

@@ -3,10 +3,10 @@
 #include "fluid/core/message.h"
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/vulkan/buffer_memory.h"
+#include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/objects.h"
 
 #include <optional>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {
@@ -81,7 +81,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
                                           .on_message = settings.on_message,
                                           .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT,
                                           .wished = wished,
-                                          .get_instance_proc_addr = vkGetInstanceProcAddr}); // which this library links
+                                          .get_instance_proc_addr = settings.get_instance_proc_addr});
     if (!own)
         return own.failure();
     auto made = adopt((*own)->host(), (*own)->queue(), settings);
@@ -96,6 +96,8 @@ Result<std::unique_ptr<Device>> Device::adopt(const vulkan::Host& host, VkQueue 
     const auto functions = vulkan::load_functions(host);
     if (!functions)
         return functions.failure();
+    if (auto loaded = load_calls(host); !loaded)
+        return loaded.failure();
     if (auto fits = vulkan::check(host.instance, host.physical_device, host.get_instance_proc_addr); !fits)
         return fits.failure();
     if (auto fits = check_queue(host, queue); !fits)

@@ -8,6 +8,7 @@
 // the start of the next (Frames::begin, or `begin_frame` in a host's own command buffer), and nothing waits for it.
 #pragma once
 
+#include "calls.h"
 #include "failure.h"
 #include "shared_objects.h"
 
@@ -42,6 +43,8 @@ struct DeviceSettings {
     std::function<void(const std::string& text)> on_message{};
     /// As if the host saw no memory of the device's own: all data is staged. For tests.
     bool staged = false;
+    /// As vulkan::OwnDevice::Settings has it: null opens the system's loader.
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
 };
 
 struct Buffer {

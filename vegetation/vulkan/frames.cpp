@@ -1,6 +1,7 @@
 #include "vegetation/vulkan/frames.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
+
 
 namespace windrow::vegetation::engine {
 

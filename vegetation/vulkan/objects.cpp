@@ -2,9 +2,9 @@
 
 #include "fluid/core/message.h"
 #include "vegetation/vulkan/buffer_memory.h"
+#include "vegetation/vulkan/calls.h"
 
 #include <algorithm>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {

@@ -1,9 +1,9 @@
 #include "vegetation/vulkan/pipeline.h"
 
 #include "gpu/pipeline_state.h"
+#include "vegetation/vulkan/calls.h"
 
 #include <vector>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {

@@ -1,6 +1,7 @@
 #include "vegetation/vulkan/render_pass.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
+
 
 namespace windrow::vegetation::engine {
 

@@ -1,6 +1,7 @@
 #include "vegetation/vulkan/wind_set.h"
 
-#include <vulkan/vulkan.h>
+#include "vegetation/vulkan/calls.h"
+
 
 namespace windrow::vegetation::engine {
 namespace {
