@@ -75,7 +75,7 @@ const std::vector<ReportSection>& report_sections() {
         {"parity", "the stories of windrow check on each path, against the CPU", 0.37, &report_parity},
         {"queries", "wind and ground memory in a shader, against the CPU", 0.03, &report_queries},
         {"pipelines", "what the driver's compiler makes of each pipeline", 0.02, &report_pipelines},
-        {"meadow", "vertices alone, and frames, of 0.25, 1 and 4 million blades", 0.2, &report_meadow},
+        {"meadow", "frames with 0.25, 1 and 4 million blades in a field, and their stages", 0.2, &report_meadow},
         {"pictures", "a meadow from two viewpoints, and its wind as colours", 0.05, &report_pictures},
     };
     return sections;

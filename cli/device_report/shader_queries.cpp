@@ -1,8 +1,11 @@
 // What a shader samples against the CPU's query: the wind in both kinds of texels, and the ground memory.
-#include "cli/device_report/draw_host.h"
 #include "cli/device_report/report_section.h"
 #include "coupling/ground_memory.h"
 #include "coupling/vulkan/ground_memory.h"
+#include "fluid/vulkan/textures.h"
+#include "fluid/vulkan/wind.h"
+#include "gpu/device.h"
+#include "gpu/pipeline.h"
 #include "shader_words/query_ground.h"
 #include "shader_words/query_wind.h"
 
@@ -26,6 +29,45 @@ std::vector<glm::vec4> places_within(glm::vec3 reach) {
         for (int axis = 0; axis < 3; ++axis) // the same places on each machine: no distribution of the library's
             place[axis] = reach[axis] * (static_cast<float>(random() % 20001) / 10000.0f - 1.0f);
     return places;
+}
+
+/// The wind's bindings of shaders/coupling/windrow_wind.glsl, for a host that waits for each frame.
+class WindBindings {
+  public:
+    /// For winds with these boundaries.
+    [[nodiscard]] static Result<WindBindings> create(Device& device, const Boundaries& boundaries);
+    /// Of the frame last recorded; nothing that uses them is in flight.
+    [[nodiscard]] std::vector<Binding> of(const vulkan::Wind& wind, glm::dvec3 anchor);
+
+  private:
+    Buffer block_;
+    vulkan::Handle<VkSampler, &Functions::vkDestroySampler> sampler_;
+};
+
+Result<WindBindings> WindBindings::create(Device& device, const Boundaries& boundaries) {
+    WindBindings made;
+    auto block = Buffer::create(device, sizeof(FrameBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    if (!block)
+        return block.failure();
+    made.block_ = *std::move(block);
+    const VkSamplerCreateInfo info = sampler_info(boundaries);
+    if (const VkResult result = make(device.functions(), device.host(), device.functions().vkCreateSampler, info, made.sampler_);
+        result != VK_SUCCESS)
+        return call_error("vkCreateSampler", "the wind's textures", result);
+    return made;
+}
+
+std::vector<Binding> WindBindings::of(const vulkan::Wind& wind, glm::dvec3 anchor) {
+    const FrameBlock content = wind.frame_block(anchor);
+    std::memcpy(block_.mapped(), &content, sizeof content);
+    (void)block_.flush(); // memory for uploads is coherent
+    const auto texture = [&](const Textures& frame) {
+        return Binding{.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, .view = frame.vectors.view, .sampler = sampler_.get()};
+    };
+    return {{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block_.handle()},
+            texture(wind.textures()),
+            texture(wind.previous_textures()),
+            {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = wind.gust_buffer()}};
 }
 
 /// Answers of a compute shader with places at binding 0, answers at 1, and these bindings behind.

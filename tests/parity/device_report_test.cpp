@@ -167,9 +167,16 @@ TEST_F(DeviceReport, AQuickReportHasItsFigures) {
         EXPECT_GT(row["largest"], 0.1) << row;
     }
     ASSERT_TRUE(sections["meadow"].contains("frames")) << sections["meadow"];
-    EXPECT_GE(sections["meadow"]["frames"].size(), 2u);
+    EXPECT_EQ(sections["meadow"]["frames"].size(), 3u);
     for (const nlohmann::json& row : sections["meadow"]["frames"]) // what the time did not allow is in the table and in words
-        EXPECT_TRUE(row.contains("left_out") ? !sections["meadow"]["left_out"].empty() : row["ns_per_vertex"] > 0.0) << row;
+        EXPECT_TRUE(row.contains("left_out") ? !sections["meadow"]["left_out"].empty() : row["ns_per_blade"] > 0.0) << row;
+    std::set<std::string> stages;
+    for (const nlohmann::json& row : sections["meadow"]["stages"]) {
+        expect_spread(row["us"]);
+        stages.insert(row["stage"]);
+    }
+    for (const char* name : {"prepare", "shadow", "colour", "tone"})
+        EXPECT_TRUE(stages.contains(name)) << name;
     std::ifstream page(out / "report.md");
     const std::string text{std::istreambuf_iterator<char>(page), {}};
     expect_words(text, {"# A device", "## costs", "| launch and barrier |"});

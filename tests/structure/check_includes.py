@@ -58,7 +58,7 @@ FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
 BESIDE_RENDERER = tuple(f"vegetation/{folder}/*" for folder in FILES_AND_PROGRAM + TESTS_AND_BENCH)
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
-# The layers that make Vulkan objects, tests of them, and a host of two queues. The command draws without vegetation/, which a portable build lacks.
+# The layers that make Vulkan objects, tests of them, and a host of two queues.
 MAKERS = ("gpu/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
           "tests/parity/*", "tests/plants/*")
 
@@ -109,8 +109,9 @@ def breaches_of_include(root, file, name, public):
     tested = top == "vegetation" and len(folders) > 1 and folders[1] in TESTS_AND_BENCH
     if target_top in ABOVE.get(top, ()) and not (tested and target_top == "tests"):
         yield f"{top} is a lower layer and does not know {target_top}"
-    elif top not in ("vegetation", "tests", "examples") and target_top == "vegetation":
-        yield f"{top} does not know vegetation: it is built without it"
+    elif top not in ("vegetation", "tests", "examples") and target_top == "vegetation" and not (
+            folders[:2] == ["cli", "device_report"] and not matches(target or name, BESIDE_RENDERER)):
+        yield f"{top} does not know vegetation: it is built without it; the report of a device draws with its renderer alone"
     if top == "vegetation" and not tested and (len(folders) == 1 or folders[1] not in FILES_AND_PROGRAM):
         if target_top == "scene" or matches(name, JSON + TINYGLTF + OPENIMAGEIO) or target == "pictures/picture_files.h":
             yield "the renderer is a library without files: no scene, JSON, mesh or picture files"

@@ -30,6 +30,7 @@ CLEAN = {
     "cases/flow.h": '#include "fluid/wind.h"\n',
     "cases/reference/vdb_poisson.cpp": "#include <openvdb/openvdb.h>\n",
     "cli/pictures.cpp": '#include "pictures/picture_files.h"\n#include "cases/flow.h"\n',
+    "cli/device_report/meadow.cpp": '#include "vegetation/render/renderer.h"\n',
     "shaders/fluid/step.comp": '#include "../numerics/base.glsl"\n',
     "vegetation/shaders/numerics/grass.glsl": '#include "shaders/numerics/base.glsl"\n',
     "vegetation/render/renderer.h": '#include "../../coupling/blade.h"\n#include "../../pictures/picture.h"\n'
@@ -101,6 +102,7 @@ FAULTS = {
     "vegetation's program includes tests": ("vegetation/program/program.h", '#include "tests/figure.h"\n'),
     "fluid includes cases": ("fluid/wind.h", '#include "cases/flow.h"\n'),
     "the command includes vegetation": ("cli/pictures.cpp", '#include "vegetation/render/renderer.h"\n'),
+    "the report of a device includes vegetation's files": ("cli/device_report/meadow.cpp", '#include "vegetation/files/mesh_file.h"\n'),
     "pictures include coupling": ("pictures/picture_files.cpp", '#include "coupling/blade.h"\n'),
     "vegetation includes the command": ("vegetation/program/program.h", '#include "cli/pictures.h"\n'),
     "vegetation includes tests": ("vegetation/render/hidden.h", '#include "tests/figure.h"\n'),
