@@ -180,6 +180,20 @@ glm::vec4 Cells::rest_at(std::size_t n, int i, int j, int k) const {
     return around_.gusting() || in_room(n) ? glm::vec4(0.0f) : mean_at(i, j, k);
 }
 
+// [m/s] All that is prescribed, of cells of a row: from number n at `cell` on. Where it is nothing, returns false and writes nothing.
+bool Cells::write_prescribed(std::size_t n, glm::ivec3 cell, std::span<glm::vec4> winds) const {
+    if (!has_source_flow() && !around_.gusting())
+        return false;
+    std::fill(winds.begin(), winds.end(), glm::vec4(0.0f));
+    if (has_source_flow())
+        for (std::size_t i = 0; i < winds.size(); ++i)
+            winds[i] += source_flow[n + i];
+    if (around_.gusting())
+        for (std::size_t i = 0; i < winds.size(); ++i)
+            winds[i] += wind_at(n + i, cell.x + static_cast<int>(i), cell.y, cell.z);
+    return true;
+}
+
 bool Cells::in_room(std::size_t n) const {
     if (!work.state().has_solids())
         return false;

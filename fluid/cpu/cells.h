@@ -210,6 +210,7 @@ class Cells final : public CellStorage {
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
     void perform(float dt, int solves, Diagnostics& report);
+    [[nodiscard]] bool write_prescribed(std::size_t n, glm::ivec3 cell, std::span<glm::vec4> winds) const;
     void advance_stable_fluids(float dt, Diagnostics& report);
     void advance_in_place(float dt, Diagnostics& report);
     void measure(Diagnostics& report);

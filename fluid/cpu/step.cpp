@@ -204,31 +204,35 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
                                   .substeps = report.substeps,
                                   .plants = canopy_,
                                   .deposits = drag_,
+                                  .kernels = work.state().kernels,
                                   .parallel_for = &config_.parallel_for});
-    const bool gusting = around_.gusting();
-    const auto prescribed_wind = [&](std::size_t n, glm::ivec3 cell) {
-        glm::vec3 u(0.0f);
-        if (has_source_flow())
-            u += glm::vec3(source_flow[n]);
-        if (gusting)
-            u += glm::vec3(wind_at(n, cell.x, cell.y, cell.z));
-        return u;
+    const auto prescribed_wind = [&](std::size_t n, glm::ivec3 cell, std::span<glm::vec4> winds) {
+        return write_prescribed(n, cell, winds);
     };
-    const auto departing = [&](std::size_t n, glm::ivec3 cell) {
-        glm::vec3 u(carried[n]);
-        if (transport.relaxation != 1.0f) {
-            const glm::vec3 rest(rest_at(n, cell.x, cell.y, cell.z));
-            u = rest + transport.relaxation * (u - rest);
+    const float left = transport.relaxation;
+    const auto departing = [&](std::size_t n, glm::ivec3 cell, std::span<glm::vec4> winds) {
+        if (!write_prescribed(n, cell, winds))
+            std::fill(winds.begin(), winds.end(), glm::vec4(0.0f));
+        for (std::size_t i = 0; i < winds.size(); ++i, ++n, ++cell.x) {
+            glm::vec4 u = carried[n];
+            if (left != 1.0f) {
+                const glm::vec4 rest = rest_at(n, cell.x, cell.y, cell.z);
+                u = rest + left * (u - rest);
+            }
+            winds[i] = u + winds[i];
         }
-        return u + prescribed_wind(n, cell);
+        return true;
     };
+    const bool even = !has_source_flow() && !around_.gusting() && !config_.profile && !work.state().has_solids();
+    const Acting::EvenAir departing_evenly{
+        .carried = even ? carried.data() : nullptr, .left = left, .rest = left != 1.0f ? mean_at(0, 0, 0) : glm::vec4(0.0f)};
     if (acting.any()) {
         if (!(transport.history_scale > k_min_scale)) {
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
             transport.history_scale = 1.0f;
         }
         transport.history = air.history;
-        acting.depart(departing, transport.history_scale, air.history);
+        acting.depart(departing, departing_evenly, transport.history_scale, air.history);
         if (work.state().has_solids()) { // a read beside a body finds air that is pushed too
             const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
             work.state().solid_flow().extend_history(air.history);

@@ -60,16 +60,18 @@ class AirByHand {
         transport.history_scale = fresh_ ? 1.0f : past.scale;
         const ParallelFor serial;
         const cpu::Acting acting(sources_, {.cells = config_.cells, .dt = dt, .parallel_for = &serial});
-        const auto departing = [&](std::size_t n, glm::ivec3) {
-            return glm::vec3(ambient_) + transport.relaxation * (glm::vec3(transport.carried[n]) - glm::vec3(ambient_));
+        const auto departing = [&](std::size_t n, glm::ivec3, std::span<glm::vec4> winds) {
+            for (std::size_t i = 0; i < winds.size(); ++i) {
+                const glm::vec4 u = transport.carried[n + i], rest(glm::vec3(ambient_), 0.0f);
+                winds[i] = transport.relaxation != 1.0f ? rest + transport.relaxation * (u - rest) : u;
+            }
+            return true;
         };
-        const auto whole = [&](std::size_t n, glm::ivec3 cell) {
-            return transport.relaxation != 1.0f ? departing(n, cell) : glm::vec3(transport.carried[n]);
-        };
-        acting.depart(whole, transport.history_scale, history_);
+        acting.depart(departing, {}, transport.history_scale, history_);
         Field arrived(u_.size());
         advect(*work_, transport, arrived);
-        acting.arrive([](std::size_t, glm::ivec3) { return glm::vec3(0.0f); }, transport.history_scale, history_, arrived);
+        const auto nothing = [](std::size_t, glm::ivec3, std::span<glm::vec4>) { return false; };
+        acting.arrive(nothing, transport.history_scale, history_, arrived);
         Field slope(u_.size());
         project(*work_, arrived, slope);
         for (std::size_t n = 0; n < slope.size(); ++n)

@@ -122,6 +122,23 @@ struct StressTask {
     const float* row_scales;  ///< by row: cell size over its thickness; null: 1
 };
 
+/// Half of a step's drag on some cells of a row, where nothing else acts (fluid/cpu/acting.h).
+struct DragTask {
+    int count;
+    const float* deposits; ///< [1/m] of each cell; null: none
+    float canopy;          ///< [1/m] of all
+    float half;            ///< [s] dt / 2
+    const float* wind;     ///< four floats a cell: all of it at departure, the prescribed part at arrival; null: 0
+    /// In place of `wind` at departure: air that relaxes to `rest`, of which `left` is left; 1: it does not.
+    const float* carried = nullptr;
+    float left = 1.0f;
+    const float* rest = nullptr;
+    float scale = 0.0f; ///< of the history, 1 / s at departure, s at arrival
+    float* history = nullptr;
+    float* kept = nullptr; ///< the history as it was
+    float* arrived = nullptr;
+};
+
 /// Figures of one plane, or of a part of it.
 struct PlaneSurvey {
     float largest_component;      ///< of the finite cells
@@ -244,6 +261,10 @@ struct Kernels {
     void (*gradient_plane)(const GradientTask&, int plane);
     void (*diffuse_plane)(const DiffuseTask&, int plane);
     void (*stress_plane)(const StressTask&, int plane);
+    /// The change at departure goes into the history, and the history is kept.
+    void (*drag_departs)(const DragTask&);
+    /// The history is as it was again, and what arrived is slowed; fourth components stay.
+    void (*drag_arrives)(const DragTask&);
     void (*multiply)(const Product&);
     void (*tridiagonal)(const TridiagonalTask&);
     void (*fold_lines)(const Fold&, const float* lines, std::ptrdiff_t stride, float* folded);

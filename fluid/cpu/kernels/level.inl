@@ -18,6 +18,7 @@ namespace {
 #include "fluid/cpu/kernels/product.inl"
 #include "fluid/cpu/kernels/stencils.inl"
 #include "fluid/cpu/kernels/stress.inl"
+#include "fluid/cpu/kernels/drag.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
 // Queries of points: remainders;
@@ -42,6 +43,8 @@ const Kernels k_kernels = {
     gradient_plane,
     diffuse_plane,
     stress_plane,
+    drag_departs,
+    drag_arrives,
     multiply,
     tridiagonal,
     fold_lines,

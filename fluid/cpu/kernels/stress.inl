@@ -60,11 +60,11 @@ inline StressFace find_stress(const StressTask& task, Native passes, float wind_
 }
 
 // Some cells of a row, fewer than a register has at its end.
-class StressCells {
+class RowCells {
   public:
-    explicit StressCells(int count) : count_(count) {}
+    explicit RowCells(int count) : count_(count) {}
 
-    [[nodiscard]] CellRegisters read(const float* cells) const {
+    [[nodiscard, gnu::always_inline]] CellRegisters read(const float* cells) const {
         CellRegisters registers;
         if (count_ < k_native_lanes) {
             float whole[4 * k_native_lanes] = {};
@@ -77,14 +77,14 @@ class StressCells {
             registers.part[n] = load_native(cells + n * k_native_lanes);
         return registers;
     }
-    [[nodiscard]] Native read_faces(const float* faces) const {
+    [[nodiscard, gnu::always_inline]] Native read_floats(const float* floats) const {
         if (count_ == k_native_lanes)
-            return deal(load_native(faces));
+            return deal(load_native(floats));
         float whole[k_native_lanes] = {};
-        __builtin_memcpy(whole, faces, sizeof(float) * static_cast<std::size_t>(count_));
+        __builtin_memcpy(whole, floats, sizeof(float) * static_cast<std::size_t>(count_));
         return deal(load_native(whole));
     }
-    void write(const CellRegisters& registers, float* cells) const {
+    [[gnu::always_inline]] void write(const CellRegisters& registers, float* cells) const {
         if (count_ == k_native_lanes) {
             for (int n = 0; n < 4; ++n)
                 store_native(cells + n * k_native_lanes, registers.part[n]);
@@ -102,7 +102,7 @@ class StressCells {
 
 inline void solve_columns(const StressTask& task, int plane, int first) {
     const int nx = task.cells[0], ny = task.cells[1];
-    const StressCells cells(nx - first < k_native_lanes ? nx - first : k_native_lanes);
+    const RowCells cells(nx - first < k_native_lanes ? nx - first : k_native_lanes);
     const std::size_t corner = 4 * (static_cast<std::size_t>(plane) * ny * nx + first), row = 4 * static_cast<std::size_t>(nx);
     const float* const faces = task.faces + (static_cast<std::size_t>(plane) * (ny + 1) * nx + first);
     const auto read_level = [&](const float* from) {
@@ -128,7 +128,7 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
         return StressRow{wind, task.prescribed ? Level{} : wind, wind};
     };
     const auto find = [&](int j, const StressRow& low, const StressRow& high) {
-        return find_stress(task, cells.read_faces(faces + static_cast<std::size_t>(j) * nx),
+        return find_stress(task, cells.read_floats(faces + static_cast<std::size_t>(j) * nx),
                            task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f, j < ny ? task.wind_drag[j] : 0.0f, low,
                            high);
     };
