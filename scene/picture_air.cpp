@@ -72,6 +72,23 @@ void add_walker(Scene& scene, const PictureAir& picture, std::size_t n) {
          }});
 }
 
+void add_trees(Scene& scene, const PictureAir& picture, ReadLog& log) {
+    std::size_t count = scene.drag.size();
+    for (std::size_t n = 0; n < picture.trees.size(); ++n) {
+        const StandSource& stand = picture.trees[n];
+        if (!stand.slows_air)
+            continue;
+        const std::string key = message("picture.trees[", n, "]");
+        count += stand.places.size() + static_cast<std::size_t>(stand.scatter.count);
+        if (count > DragField::k_capacity) {
+            log.reject("$." + key, message("makes ", count, " deposits of drag with what is before it, and the air takes ",
+                                           DragField::k_capacity, ": give fewer trees, or \"slows_air\": false."));
+            return;
+        }
+        scene.planted.push_back({.key = key, .stand = stand, .ground = picture.ground});
+    }
+}
+
 } // namespace
 
 PictureAir read_picture_air(JsonObject picture, std::span<const std::string> path_names, const std::filesystem::path& folder) {
@@ -95,6 +112,7 @@ PictureAir read_picture_air(JsonObject picture, std::span<const std::string> pat
         if (const auto mesh = item.value().find("mesh"); mesh != item.value().end())
             body.mesh = &*mesh;
     });
+    read_items(picture, "trees", {0.0, 256.0}, [&](JsonObject item) { read_stand(std::move(item), read.trees.emplace_back()); });
     return read;
 }
 
@@ -105,6 +123,7 @@ void add_picture_air(Scene& scene, const PictureAir& picture, ReadLog& log, Mesh
         hills.obstacle.position = picture.ground.corner;
         hills.obstacle.shape = Ground{picture.ground.heights};
     }
+    add_trees(scene, picture, log);
     for (std::size_t n = 0; n < picture.bodies.size(); ++n)
         add_body(scene, picture, n, log, meshes);
     for (std::size_t n = 0; n < picture.walkers.size(); ++n)

@@ -8,6 +8,7 @@
 #include "scene/carried.h"
 #include "scene/frame_times.h"
 #include "scene/motion_path.h"
+#include "scene/stand_source.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -198,6 +199,8 @@ struct Scene {
     std::vector<SceneMotor> motors;
     std::vector<SceneObstacle> obstacles;
     std::vector<DragDeposit> drag; ///< from the start on
+    /// Trees of the picture that slow the air, from the start on (picture_air.h).
+    std::vector<PlantedStand> planted;
     /// What the picture moves and what carries the air along (picture_air.h).
     std::vector<Carried> carried;
     std::vector<SceneSmoke> smoke;

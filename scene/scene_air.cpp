@@ -70,6 +70,9 @@ Result<void> SceneAir::begin(WindControl& wind) {
         return placed;
     if (const auto added = wind.drag().add(scene_->drag); !added)
         return rejection("drag", 0.0, added.error());
+    for (const PlantedStand& planted : scene_->planted)
+        if (const auto added = wind.drag().add(drag_of(planted.stand, planted.ground)); !added)
+            return rejection(planted.key.c_str(), 0.0, added.error());
     // Air that was filled in before the floor stood where it belongs has the wind of other heights.
     wind.reset();
     return {};

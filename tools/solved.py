@@ -61,6 +61,10 @@ def solved(scene):
     parts += [f"the wake of the {name}" for name in wakes_of_bodies(scene)]
     if "canopy" in air:
         parts.append(f"the drag of {air['canopy'].get('height', 0.8):g} m of plants")
+    if scene.get("drag"):
+        parts.append("the drag of " + counted(len(scene["drag"]), "deposit"))
+    if any(stand.get("slows_air", True) for stand in scene.get("picture", {}).get("trees", [])):
+        parts.append("the drag of its trees")
     if "roughness" in air:
         parts.append("the drag of rough ground")
     count = len(scene.get("obstacles", []))

@@ -3,6 +3,9 @@
 #include "scene/scene_reader.h"
 #include "tests/winds.h"
 
+#include <string>
+#include <utility>
+
 namespace windrow::scene {
 namespace {
 
@@ -31,6 +34,54 @@ TEST(SceneDrag, IsReadAndAddedOnce) {
     }
     EXPECT_EQ(wind.drag().count(), 3);
     EXPECT_LT(wind.velocity({1.0, 2.5, 1.0}).x, 3.5f);
+}
+
+// [m/s] Along the wind behind a grove, and how many deposits made it.
+std::pair<float, int> wind_behind(const std::string& stand) {
+    const auto scene = read_scene_text(R"({"air": {"cells": [32, 16, 16], "ambient": [4, 0, 0], "boundaries": {"y_low": "free_slip"}},
+        "drag": [{"plant": {"position": [0, 0, 40]}}], "picture": {"trees": [)" +
+                                           stand + "]}}",
+                                       "grove.json");
+    EXPECT_TRUE(scene) << scene.error();
+    Wind wind = *Wind::create(scene->air);
+    SceneAir air(*scene);
+    EXPECT_TRUE(air.begin(wind));
+    for (int n = 1; n <= 90; ++n) {
+        EXPECT_TRUE(air.advance_to(wind, n / 30.0));
+        wind.step(1.0 / 30.0);
+    }
+    return {wind.velocity({6.0, 1.5, 0.0}).x, wind.drag().count()};
+}
+
+TEST(SceneDrag, TreesOfAPictureSlowTheAirUnlessTheyAreNotTo) {
+    const std::string grove = R"("kind": "bush", "places": [{"at": [0, 0]}, {"at": [-3, 1], "size": 0.8}],
+        "scatter": {"count": 3, "low": [-8, -8], "high": [-4, 8], "groves": 0, "apart": 1})";
+    const auto [slowed, all] = wind_behind("{" + grove + "}");
+    const auto [free, none] = wind_behind(R"({"slows_air": false, )" + grove + "}");
+    EXPECT_EQ(all, 6);
+    EXPECT_EQ(none, 1);
+    EXPECT_FLOAT_EQ(free, 4.0f);
+    EXPECT_LT(slowed, 3.0f);
+}
+
+TEST(SceneDrag, TooManyTreesAreRejectedByASentence) {
+    const auto scene = read_scene_text(R"({"picture": {"trees": [{"scatter": {"count": 100000}}, {"scatter": {"count": 100000}},
+        {"scatter": {"count": 100000}}]}})",
+                                       "wood.json");
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().find("$.picture.trees[2]"), std::string::npos) << scene.error();
+    EXPECT_NE(scene.error().find("\"slows_air\": false"), std::string::npos) << scene.error();
+}
+
+// What a crown takes: C_d 0.2 of its leaves, over a square of the area that it covers.
+TEST(SceneDrag, OfATreeIsThatOfItsCrown) {
+    const TreeCrown& oak = k_tree_crowns[0];
+    const PlantDrag drag = drag_of(oak, {.base = {1.0, 2.0, 3.0}, .size = 0.5f});
+    EXPECT_EQ(drag.position, glm::dvec3(1.0, 2.0, 3.0));
+    EXPECT_FLOAT_EQ(drag.height, 0.5f * oak.height);
+    const float covered = 4.0f * drag.radius * drag.radius;
+    EXPECT_NEAR(covered, 3.14159f * 0.25f * oak.radius * oak.radius, 1e-3f);
+    EXPECT_NEAR(drag.area, 0.2f * oak.leaf_area * covered, 1e-3f);
 }
 
 TEST(SceneDrag, OfNonsenseIsRejectedByASentence) {

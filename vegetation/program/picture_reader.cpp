@@ -9,7 +9,6 @@
 #include "scene/text_file.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/program/part_reader.h"
-#include "vegetation/trees/tree_presets.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -94,7 +93,7 @@ windrow::Result<windrow::scene::BodyBox> read_box(const std::filesystem::path& f
 
 /// What the air needs of a picture that was read without a fault from `value`.
 windrow::scene::PictureAir air_of(const Picture& picture, const json& value) {
-    windrow::scene::PictureAir air{.ground = picture.ground, .walkers = picture.walkers};
+    windrow::scene::PictureAir air{.ground = picture.ground, .walkers = picture.walkers, .trees = picture.trees};
     for (const Body& body : picture.bodies) {
         const json& own = value["bodies"][air.bodies.size()];
         air.bodies.push_back({.name = body.name,
@@ -144,20 +143,8 @@ void read_part(JsonObject object, CameraSource& camera, Surroundings& around) {
     object.finish();
 }
 
-void read_part(JsonObject object, StandSource& stand, Surroundings& around) {
-    const std::size_t faults_before = object.log().faults();
-    read_parts(object, stand, around, [&](const auto& row, auto& member) {
-        if constexpr (std::same_as<decltype(member), std::string&>) {
-            const auto names = trees::preset_names();
-            const std::size_t chosen = object.word_index({row.name, row.meaning}, member, {names.begin(), names.end()});
-            if (chosen < names.size())
-                member = names[chosen];
-        }
-        return std::same_as<decltype(member), std::string&>;
-    });
-    object.finish();
-    if (object.log().faults() == faults_before)
-        check_read(object, stand);
+void read_part(JsonObject object, StandSource& stand, Surroundings&) {
+    windrow::scene::read_stand(std::move(object), stand);
 }
 
 void read_part(JsonObject object, GroundSource& ground, Surroundings& around) {

@@ -14,6 +14,7 @@
 #include "fluid/files/input_budget.h"
 #include "scene/ground_source.h"
 #include "scene/scene.h"
+#include "scene/stand_source.h"
 #include "scene/walker.h"
 #include "vegetation/grass/grass_settings.h"
 #include "vegetation/grass/mask_patterns.h"
@@ -23,7 +24,6 @@
 #include "vegetation/render/obstacle_solid.h"
 #include "vegetation/render/renderer.h"
 #include "vegetation/render/scene.h"
-#include "vegetation/trees/stand_settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@
 
 namespace windrow::vegetation::program {
 
-using windrow::scene::GroundSource, windrow::scene::Walker;
+using windrow::scene::GroundSource, windrow::scene::StandSource, windrow::scene::Walker;
 
 struct CameraSource {
     render::Camera lens{};
@@ -114,45 +114,6 @@ struct Fan {
             Setting("direction", &Fan::direction, {-1e9, 1e9}, "Direction of its wind; needs a horizontal component."),
             Setting("radius", &Fan::radius, {0.05, 50.0, "m"}, "Of its blades."),
             Setting("turns_hz", &Fan::turns_hz, {0.0, 100.0, "Hz"}, "Turns a second."),
-        };
-    }
-};
-
-/// A tree at a place of its own; it stands on the ground there.
-struct StandPlace {
-    glm::dvec2 at{0.0};
-    float size = 1.0f;
-    float yaw_deg = 0.0f;
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("at", &StandPlace::at, render::k_place_range, "x and z; it is on the ground there."),
-            Setting("size", &StandPlace::size, {0.05, 10.0}, "Factor on all its lengths."),
-            Setting("yaw_deg", &StandPlace::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about the vertical."),
-        };
-    }
-};
-
-/// Trees of one kind (vegetation/trees/stand_settings.h).
-struct StandSource {
-    std::string kind = "oak";
-    std::uint32_t seed = 1;
-    int variants = 2;
-    bool springs = true;
-    windrow::FlutterClass flutter{};
-    std::vector<StandPlace> places{};
-    trees::TreeScatter scatter{};
-
-    static constexpr auto settings() {
-        return std::tuple{
-            Setting("kind", &StandSource::kind, "Kind of tree, of trees::preset_names."),
-            Setting("seed", &StandSource::seed, k_seed_range, "Another number, other trees of the kind."),
-            Setting("variants", &StandSource::variants, {1.0, 8.0}, "Different trees of the kind; places take them in turn."),
-            Setting("springs", &StandSource::springs,
-                    "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
-            Setting("flutter", &StandSource::flutter, "How its leaves flutter; needles do not."),
-            Setting("places", &StandSource::places, "Trees at places of their own."),
-            Setting("scatter", &StandSource::scatter, "And more at random."),
         };
     }
 };

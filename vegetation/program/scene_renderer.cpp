@@ -139,26 +139,17 @@ Result<void> SceneRenderer::make_grass(const render::DrawTargets& targets) {
 }
 
 Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
-    const auto height = [&](double x, double z) { return scene_.picture.ground.height(x, z); };
     for (const StandSource& stand : scene_.picture.trees) {
         auto kind = trees::preset(stand.kind);
         if (!kind)
             return kind.failure().after("$.picture.trees: ");
         kind->tree.seed = stand.seed;
-        trees::TreeStandSettings settings{.kind = *std::move(kind),
-                                          .variants = stand.variants,
-                                          .scatter = stand.scatter,
-                                          .springs = stand.springs,
-                                          .flutter = stand.flutter};
-        for (const StandPlace& place : stand.places)
-            settings.places.push_back(
-                {.base = {place.at.x, height(place.at.x, place.at.y), place.at.y}, .size = place.size, .yaw_deg = place.yaw_deg});
-        const auto places = trees::places_of(settings, height);
-        if (!places)
-            return places.failure().after("$.picture.trees: ");
-        if (places->empty())
+        trees::TreeStandSettings settings{
+            .kind = *std::move(kind), .variants = stand.variants, .springs = stand.springs, .flutter = stand.flutter};
+        const auto places = windrow::scene::places_of(stand, scene_.picture.ground);
+        if (places.empty())
             continue;
-        auto made = trees::TreeStand::create(*device_, targets, settings, *places, anchor_);
+        auto made = trees::TreeStand::create(*device_, targets, settings, places, anchor_);
         if (!made)
             return made.failure().after("$.picture.trees: ");
         renderer_->add(**made);

@@ -1,6 +1,6 @@
 #include "vegetation/trees/leaf_cards.h"
 
-#include "vegetation/trees/chance.h"
+#include "coupling/chance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 
 namespace windrow::vegetation::trees {
 namespace {
+
+using windrow::detail::Chance;
 
 constexpr float k_golden = 2.39996323f; // [rad]
 constexpr std::size_t k_spread = 400;   // cards that are chosen by distance; more are too many to tell one from another

@@ -1,5 +1,5 @@
 // From a shape to triangles: tubes around stems, kites for leaves, parts that bear them, light within the crown.
-#include "vegetation/trees/chance.h"
+#include "coupling/chance.h"
 #include "vegetation/trees/crown_light.h"
 #include "vegetation/trees/leaf_cards.h"
 #include "vegetation/trees/tree_model.h"
@@ -15,6 +15,8 @@
 
 namespace windrow::vegetation::trees {
 namespace {
+
+using windrow::detail::Chance;
 
 constexpr std::uint32_t k_none = windrow::Tree::PartIndices::k_none;
 constexpr float k_coverage = 0.7f;      // of a card that its leaves cover, about

@@ -1,6 +1,6 @@
 #include "vegetation/trees/tree_shape.h"
 
-#include "vegetation/trees/chance.h"
+#include "coupling/chance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 
 namespace windrow::vegetation::trees::shape {
 namespace {
+
+using windrow::detail::Chance;
 
 constexpr float k_golden = 2.39996323f;   // [rad] 137.5 degrees
 constexpr float k_branch_turn = 2.44346f; // [rad] 140 degrees

@@ -9,7 +9,7 @@
 #include "shader_words/tree_leaf_vert.h"
 #include "shader_words/tree_loads.h"
 #include "shader_words/tree_shadow_vert.h"
-#include "vegetation/trees/chance.h"
+#include "vegetation/trees/tree_numerics.h"
 #include "vegetation/trees/tree_wind.h"
 #include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"

@@ -86,7 +86,7 @@ inline constexpr const char* k_sample_values = R"({
                  {"erase": {"centre": [40, 20], "radius": 4.5, "strength": 0.9, "hardness": 0.6}}]}},
             {"name": "reeds", "class": "reed", "mask": {"file": "paths.pgm"}}
         ],
-        "trees": [{"kind": "birch", "seed": 9, "variants": 3, "springs": false, "flutter": {"frequency_hz": 5, "most": 0.4, "onset": 2}, "places": [{"at": [1, 2], "size": 1.2, "yaw_deg": 30}],
+        "trees": [{"kind": "birch", "seed": 9, "variants": 3, "springs": false, "slows_air": false, "flutter": {"frequency_hz": 5, "most": 0.4, "onset": 2}, "places": [{"at": [1, 2], "size": 1.2, "yaw_deg": 30}],
                    "scatter": {"count": 5, "low": [-20, -30], "high": [40, 50], "apart": 3, "groves": 0.75, "grove_length": 30,
                                "size_spread": 0.125, "seed": 4, "clear": [{"centre": [3, 4], "radius": 6}]}}],
         "walkers": [

@@ -1,4 +1,5 @@
 // Models of trees at rest: bounds on what they cost, and that nothing in them is bent out of shape by extreme settings.
+#include "coupling/tree_places.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
 #include "vegetation/trees/crown_light.h"
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
 namespace windrow::vegetation::trees {
 namespace {
@@ -44,6 +47,33 @@ void expect_sound(const TreeModel& model) {
         const auto judged = windrow::validate(model.part(n), "part");
         ASSERT_TRUE(judged) << n << ": " << judged.error();
         ASSERT_GT(model.part(n).stiffness, 0.0f);
+    }
+}
+
+// The crowns that slow the air are those that are drawn: 96 % of the leaves' vertices by height, and 98 % by distance from the trunk.
+TEST(TreeModel, CrownsOfDragAreThoseDrawn) {
+    ASSERT_EQ(preset_names().size(), windrow::k_tree_crowns.size());
+    for (std::size_t n = 0; n < preset_names().size(); ++n) {
+        const windrow::TreeCrown& crown = windrow::k_tree_crowns[n];
+        ASSERT_EQ(crown.kind, preset_names()[n]);
+        const TreeModel model = model_of(preset(crown.kind)->tree);
+        std::vector<double> heights, distances;
+        for (std::uint32_t at = model.leaves.first; at < model.leaves.first + model.leaves.count; ++at) {
+            const glm::vec4 place = model.vertices[model.indices[at]].position;
+            heights.push_back(static_cast<double>(place.y));
+            distances.push_back(static_cast<double>(std::hypot(place.x, place.z)));
+        }
+        std::sort(heights.begin(), heights.end());
+        std::sort(distances.begin(), distances.end());
+        const auto at = [](const std::vector<double>& sorted, double share) {
+            return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+        };
+        const auto height = static_cast<double>(crown.height), radius = static_cast<double>(crown.radius);
+        const std::string figure = "trees/" + std::string(crown.kind) + "/crown_";
+        WINDROW_EXPECT_FIGURE(figure + "top", std::abs(at(heights, 0.98) / height - 1.0), 0.05);
+        WINDROW_EXPECT_FIGURE(figure + "base", std::abs(at(heights, 0.02) - static_cast<double>(crown.base)) / height, 0.05);
+        WINDROW_EXPECT_FIGURE(figure + "radius", std::abs(at(distances, 0.98) / radius - 1.0),
+                              0.15); // a birch differs most by its seed
     }
 }
 

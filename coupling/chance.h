@@ -1,11 +1,21 @@
-// Chances that belong to a tree: the same seed gives the same tree on every machine.
+// Chances that belong to a plant: the same seed gives the same plant on every machine.
 #pragma once
 
-#include "vegetation/trees/tree_numerics.h"
+#include "../fluid/portable_math.h"
 
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
-namespace windrow::vegetation::trees {
+#define WINDROW_FN inline
+namespace windrow::numerics {
+using namespace glm;
+#include "../shaders/numerics/place_noise.glsl"
+} // namespace windrow::numerics
+#undef WINDROW_FN
+
+namespace windrow::detail {
 
 class Chance {
   public:
@@ -31,4 +41,4 @@ class Chance {
     std::uint32_t count_ = 0;
 };
 
-} // namespace windrow::vegetation::trees
+} // namespace windrow::detail
