@@ -105,8 +105,8 @@ inline Obstacle hills(glm::dvec3 corner = {-40.0, -4.0, -40.0}) {
                                 })}};
 }
 
-/// Plants and a hedge: at all defaults, in gusts, in rows of unequal thickness, with the classic split, and in a box that walks past
-/// them while one comes, changes and goes.
+/// Plants and a hedge: at all defaults, in gusts, in rows of unequal thickness, with the classic split, over rough ground, and in a box
+/// that walks past them while one comes, changes and goes.
 inline Scenario drag_scenario(const std::string& name) {
     Scenario row{.name = name};
     row.config = [=](Config& c) {
@@ -115,6 +115,11 @@ inline Scenario drag_scenario(const std::string& name) {
         if (name == "drag_in_rows") {
             c.boundaries = Boundaries::open_over_floor();
             c.rows = Rows{};
+        }
+        if (name == "drag_over_rough_ground") {
+            c.boundaries = Boundaries::open_over_floor();
+            c.profile = LogProfile{};
+            c.roughness = Roughness{};
         }
         if (name == "drag_of_stable_fluids")
             c.scheme = Scheme::stable_fluids;

@@ -16,6 +16,7 @@ using namespace glm;
 #include "shaders/numerics/closed_face.glsl"
 #include "shaders/numerics/diffusion.glsl"
 #include "shaders/numerics/history.glsl"
+#include "shaders/numerics/lee.glsl"
 #include "shaders/numerics/motors.glsl"
 #include "shaders/numerics/slip.glsl"
 #include "shaders/numerics/splitting.glsl"

@@ -25,6 +25,8 @@ class WindCore;
 
 namespace windrow::cpu {
 
+struct DragRows;
+
 /// The air of the last two steps and the second-order history; see step.cpp.
 struct TwoLevelAir {
     explicit TwoLevelAir(std::size_t cells) : velocity(cells), velocity_old(cells), history(cells) {}
@@ -80,6 +82,7 @@ class Cells final : public CellStorage {
     void shift_origin(const OriginShift& shift) override {
         around_origin_cells_ += shift.cells;
         reading_origin_ += shift.cells;
+        drag_origin_ += shift.cells;
         shift.move(around_);
     }
     [[nodiscard]] std::span<glm::vec4> spare() override { // a step pads them anew
@@ -207,6 +210,7 @@ class Cells final : public CellStorage {
     void add_ambient(std::span<glm::vec4> field, float factor);
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     [[nodiscard]] std::span<const glm::vec4> mix(std::span<const glm::vec4> field, float dt, Diagnostics& report);
+    void deepen_lee(const DragRows& drag, float dt, int plane);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
     void perform(float dt, int solves, Diagnostics& report);
@@ -233,6 +237,7 @@ class Cells final : public CellStorage {
     glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                  ///< of the step, as `relaxation_time_`
     DragCells drag_;                     ///< the same
+    CellIndex drag_origin_{0};           ///< of the window that it is of
     float relaxation_time_ = 0.0f;       ///< [s]
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed

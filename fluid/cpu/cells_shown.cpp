@@ -22,13 +22,15 @@ void Cells::renew_reading() {
     Window window = wind_.window();
     if (state.has_solids())
         window.origin_cells -= CellIndex(unplaced_shift_);
+    else if (drag_.any())
+        window.origin_cells = drag_origin_;
     if (!reading_stale_ && (reading_origin_ == window.origin_cells || !reading_maker_.depends_on_place()))
         return;
     reading_.reset();
     reading_stale_ = false;
     reading_origin_ = window.origin_cells;
     if (state.has_solids() || wall_law(config_, box()).acts())
-        reading_ = reading_maker_.make(state.has_solids() ? state.solids.get() : nullptr, config_.boundaries, window);
+        reading_ = reading_maker_.make(state.has_solids() ? state.solids.get() : nullptr, config_.boundaries, window, drag_);
 }
 
 void Cells::sample(std::span<const glm::vec4> from, const Window& window, SampledCells& sampled,

@@ -194,7 +194,10 @@ void advect_cell(const SidedAir& air, std::uint32_t n) {
         const WindrowWaypoint crossing = windrow_straight(air, cell, way(windrow_straight(air, cell, -speed), false, ignored));
         value = value_at<Components>(result) + (value - read<Count>(carried, cell, crossing, false, ignored));
     }
-    std::memcpy(result, &value, sizeof(value));
+    if constexpr (Components == 4) // the lee of plants is carried as in free air
+        std::memcpy(result, &value, 3 * sizeof(float));
+    else
+        std::memcpy(result, &value, sizeof(value));
 }
 
 } // namespace

@@ -58,6 +58,7 @@ constexpr std::uint32_t k_nowhere = ~std::uint32_t{0};
 
 // The box has moved since. The fourth component of a velocity marks ghosts that lack some of their sources.
 struct Moved {
+    static constexpr float k_missing = 4.0f; // in a fourth component, beyond any lee
     const Solids& solids;
     const Box& box;
     glm::ivec3 shift;
@@ -74,10 +75,10 @@ struct Moved {
             return false;
         const bool all = std::all_of(sources.begin(), sources.end(), [&](const Solids::GhostSource& source) {
             const std::uint32_t from = place_of(source.cell);
-            return from != k_nowhere && velocity[from].w == 0.0f;
+            return from != k_nowhere && velocity[from].w < k_missing;
         });
         if (!all)
-            velocity[ghost].w = 1.0f;
+            velocity[ghost].w = k_missing;
         return all;
     }
 };

@@ -72,7 +72,11 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     work.state().obstacles_ms = 0.0;
     sampled_.held = false;
     canopy_ = step.canopy;
+    const bool plants_differ = step.drag_change.any() || drag_.any() != step.drag.any() ||
+                               (step.drag.any() && drag_origin_ != step.window->origin_cells);
+    reading_stale_ = reading_stale_ || (plants_differ && reading_maker_.law().acts());
     drag_ = step.drag;
+    drag_origin_ = step.window->origin_cells;
     relaxation_time_ = step.relaxation_time;
     materialise_air_alone(config_.parallel_for);
     materialise_before();
@@ -334,7 +338,7 @@ void Cells::act_whole(float dt) {
             const DragRows::Row drag = rows.at(j, k);
             glm::vec4* const row = &air.velocity[box().index(0, j, k)];
             for (int i = drag.low; i < drag.high; ++i)
-                row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), dt * drag.of(i)), 0.0f);
+                row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), dt * drag.of(i)), row[i].w);
         }
     });
 }

@@ -151,8 +151,8 @@ bool ReadingMaker::depends_on_place() const {
     return law_.acts() && config_.roughness->map;
 }
 
-std::shared_ptr<const SurfaceReading> ReadingMaker::make(const Solids* solids, const Boundaries& boundaries,
-                                                         const Window& window) {
+std::shared_ptr<const SurfaceReading> ReadingMaker::make(const Solids* solids, const Boundaries& boundaries, const Window& window,
+                                                         const DragCells& drag) {
     box_.boundaries = boundaries;
     law_ = wall_law(config_, box_);
     auto unused = std::find_if(made_.begin(), made_.end(), [](const auto& one) { return one.use_count() == 1; });
@@ -175,7 +175,7 @@ std::shared_ptr<const SurfaceReading> ReadingMaker::make(const Solids* solids, c
             const float height = floor ? kept(box_.centre(0, j, 0).y, 1.0f) : law_.reach;
             reading.rows_.push_back({height, raise_of(height)});
         }
-        find_heights(solids, window, reading);
+        find_heights(solids, window, drag, reading);
     }
     for (std::uint32_t n = 0; n < near_.size(); ++n)
         visit(*solids, n, reading);
@@ -372,14 +372,15 @@ float ReadingMaker::height_of(const SurfaceReading& reading, std::uint32_t cell)
     return heights_.empty() ? reading.rows_[cell / x % y].height : heights_[cell];
 }
 
-void ReadingMaker::find_heights(const Solids* solids, const Window& window, const SurfaceReading& reading) {
+void ReadingMaker::find_heights(const Solids* solids, const Window& window, const DragCells& drag,
+                                const SurfaceReading& reading) {
     const glm::ivec3 cells = box_.cells;
     if (depends_on_place()) {
         for (int k = 0; k < cells.z; ++k)
             for (int i = 0; i < cells.x; ++i)
                 per_heights_.push_back(1.0f / (law_.per_length * roughness_at(*config_.roughness, window.centre(i, 0, k))));
     }
-    if (solids == nullptr && per_heights_.empty())
+    if (solids == nullptr && per_heights_.empty() && !drag.any())
         return;
     heights_.resize(box_.cell_count());
     const bool floor = box_.boundaries.y_low.kind == BoundaryKind::free_slip;
@@ -389,11 +390,22 @@ void ReadingMaker::find_heights(const Solids* solids, const Window& window, cons
                 heights_[box_.index(i, j, k)] = per_heights_.empty() ? reading.rows_[static_cast<std::size_t>(j)].height
                                                 : floor              ? kept(box_.centre(0, j, 0).y, per_height_at(i, k))
                                                                      : law_.reach;
-    if (solids == nullptr)
-        return;
-    for (int k = 0; k < cells.z; ++k)
+    for (int k = 0; k < cells.z && solids != nullptr; ++k)
         for (int i = 0; i < cells.x; ++i)
             find_column(*solids, i, k, per_height_at(i, k));
+    if (drag.any())
+        lift_plants(drag);
+}
+
+// No law in columns with plants: their air is as if so high that none counts, down to the floor.
+void ReadingMaker::lift_plants(const DragCells& drag) {
+    const float above = law_.reach + (law_.fall > 0.0f ? std::max(law_.lowest, 0.0f) : law_.reach);
+    const int nx = box_.cells.x, ny = box_.cells.y;
+    for (int row = 0; row < ny * box_.cells.z; ++row)
+        for (int i = drag.runs[static_cast<std::size_t>(row)].low; i < drag.runs[static_cast<std::size_t>(row)].high; ++i)
+            for (int j = 0; j < ny && drag.drag[static_cast<std::size_t>(row * nx + i)] > 0.0f; ++j)
+                if (float& height = heights_[box_.index(i, j, row / ny)]; height < law_.reach)
+                    height = above;
 }
 
 // Heights of a column's air over what is below it.

@@ -14,12 +14,15 @@
 // Over rough surfaces cells also show the law of the wall (shaders/numerics/wall_law.glsl), by the height over what is below in the
 // column: the floor, a ground, a top. Beside a wall no law acts.
 //
+// A column with plants has the profile that they make: no law acts there.
+//
 // Based on: Aslam 2004, Journal of Computational Physics 193 (extrapolation along normals); the law: wall_law.glsl.
 #pragma once
 
 #include "fluid/allocator.h"
 #include "fluid/api.h"
 #include "fluid/box.h"
+#include "fluid/drag_field.h"
 #include "fluid/parallel.h"
 #include "fluid/solids/solids.h"
 #include "fluid/view.h"
@@ -118,10 +121,10 @@ class WINDROW_INTERNAL ReadingMaker {
   public:
     ReadingMaker(const Box& box, const Config& config);
     ~ReadingMaker();
-    /// `solids` may be null: none. Null where every cell is shown as it is. A reading that nobody holds any more gives its room to a
+    /// `solids` may be null: none. `drag`: in the same window. Null where every cell is shown as it is. A reading that nobody holds any more gives its room to a
     /// new one. Throws std::bad_alloc.
     [[nodiscard]] std::shared_ptr<const SurfaceReading> make(const Solids* solids, const Boundaries& boundaries,
-                                                             const Window& window);
+                                                             const Window& window, const DragCells& drag);
     [[nodiscard]] const WallLaw& law() const { return law_; }
     /// Of the box's place: lengths of the ground differ by it.
     [[nodiscard]] bool depends_on_place() const;
@@ -153,7 +156,8 @@ class WINDROW_INTERNAL ReadingMaker {
     [[nodiscard]] int find_sources(const Solids& solids, const Near& near, Source (&sources)[6]) const;
     void visit(const Solids& solids, std::uint32_t number, SurfaceReading& reading);
     void fill(const Solids& solids, Near& near, std::span<const Source> sources, SurfaceReading& reading);
-    void find_heights(const Solids* solids, const Window& window, const SurfaceReading& reading);
+    void find_heights(const Solids* solids, const Window& window, const DragCells& drag, const SurfaceReading& reading);
+    void lift_plants(const DragCells& drag);
     void find_column(const Solids& solids, int i, int k, float per_height);
     void extend_height(const Solids& solids, const Near& near, std::span<const Source> sources);
     [[nodiscard]] float per_height_at(int i, int k) const;

@@ -123,6 +123,7 @@ class Air {
     void shift_origin(const OriginShift& shift) {
         shift.move(window_);
         reading_origin_ += shift.cells;
+        drag_origin_ += shift.cells;
     }
     void make_room_to_restore();
     [[nodiscard]] bool fresh() const { return fresh_; }
@@ -329,6 +330,8 @@ class Air {
     std::shared_ptr<const SurfaceReading> reading_; ///< of the last show; null: every cell is shown as it is
     std::vector<std::int32_t> reading_words_;       ///< scratch
     CellIndex reading_origin_{0};                   ///< of the window that it was made for
+    DragCells drag_{};                              ///< of the last step
+    CellIndex drag_origin_{0};                      ///< of the window that it is of
     bool reading_stale_ = true;
     Window window_{};                 ///< of the last command
     std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries

@@ -12,6 +12,11 @@
 namespace windrow::vulkan {
 
 void Air::renew_drag(VkCommandBuffer commands, const CellStep& step) {
+    const bool plants_differ = step.drag_change.any() || drag_.any() != step.drag.any() ||
+                               (step.drag.any() && drag_origin_ != step.window->origin_cells);
+    reading_stale_ = reading_stale_ || (plants_differ && reading_maker_.law().acts());
+    drag_ = step.drag;
+    drag_origin_ = step.window->origin_cells;
     holds_drag_ = false;
     drag_stale_ = drag_stale_ || step.drag_change.whole;
     if (!step.drag.any()) {

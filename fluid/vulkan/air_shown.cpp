@@ -61,6 +61,8 @@ void Air::renew_reading(VkCommandBuffer commands) {
     Window window = window_;
     if (bodies)
         window.origin_cells -= CellIndex(unplaced_shift_);
+    else if (drag_.any())
+        window.origin_cells = drag_origin_;
     if (!reading_stale_ && (reading_origin_ == window.origin_cells || !reading_maker_.depends_on_place()))
         return;
     reading_stale_ = false;
@@ -69,7 +71,7 @@ void Air::renew_reading(VkCommandBuffer commands) {
     reading_.reset();
     const bool made = windrow::detail::memory_lasts([&] {
         if (bodies || wall_law(config_, box()).acts())
-            reading_ = reading_maker_.make(bodies ? &solids_->solids() : nullptr, config_.boundaries, window);
+            reading_ = reading_maker_.make(bodies ? &solids_->solids() : nullptr, config_.boundaries, window, drag_);
         if ((reading_ || was) && !write_reading(commands))
             throw std::bad_alloc();
     });

@@ -77,6 +77,21 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
+// The lee of plants, which is carried as the velocity is.
+float sample_lee(int at, vec3 t, ivec3 s) {
+    const bool linear = is_on(WINDROW_LINEAR);
+    const vec3 wx = windrow_cubic_weights(t.x), wy = windrow_cubic_weights(t.y), wz = windrow_cubic_weights(t.z);
+    const vec4 x = linear ? vec4(0.0f, 1.0f - t.x, t.x, 0.0f) : vec4(wx.x, 1.0f - wx.x - wx.y - wx.z, wx.y, wx.z);
+    const vec4 y = linear ? vec4(0.0f, 1.0f - t.y, t.y, 0.0f) : vec4(wy.x, 1.0f - wy.x - wy.y - wy.z, wy.y, wy.z);
+    const vec4 z = linear ? vec4(0.0f, 1.0f - t.z, t.z, 0.0f) : vec4(wz.x, 1.0f - wz.x - wz.y - wz.z, wz.y, wz.z);
+    float sum = 0.0f;
+    for (int k = linear ? 1 : 0; k < (linear ? 3 : 4); ++k)
+        for (int j = linear ? 1 : 0; j < (linear ? 3 : 4); ++j)
+            for (int i = linear ? 1 : 0; i < (linear ? 3 : 4); ++i)
+                sum += x[i] * y[j] * z[k] * padded[at + (i - 1) * s.x + (j - 1) * s.y + (k - 1) * s.z].w;
+    return sum;
+}
+
 // As a factor of the mean wind.
 float bend_at(int at, float t, ivec3 s) {
     if (!is_on(WINDROW_PROFILE) || is_on(WINDROW_LINEAR))
@@ -155,6 +170,7 @@ void main() {
     const float dt = control.substep_duration;
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
+    float lee = 0.0f;
     if (is_on(WINDROW_ADVECTS)) {
         vec3 u = departing_velocity(cell);
         if (k_own_rows) // the trace counts rows too
@@ -167,6 +183,8 @@ void main() {
         const vec3 displacement = -0.5f * cells_per_speed * (u + traced);
         from = locate(cell, displacement, stride, true, t);
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
+        if (has_lee())
+            lee = sample_lee(from, t, stride);
         if (is_on(WINDROW_GUSTS))
             result += prescribed_carried(result, cell, at, displacement, stride);
         if (k_one_sided && has_obstacles()) {
@@ -177,11 +195,13 @@ void main() {
         }
     } else {
         const ivec3 place = cell + WINDROW_HALO_LOW;
-        result = read(place.x + stride.y * place.y + stride.z * place.z);
+        const int from = place.x + stride.y * place.y + stride.z * place.z;
+        result = read(from);
+        lee = padded[from].w;
     }
     if (!classic && is_on(WINDROW_PUSHES))
         result += 0.5f * dt * force[at].xyz;
     if (!classic && anything_holds())
         result = held(result, cell, at);
-    arrived[at] = vec4(result, 0.0f);
+    arrived[at] = vec4(result, lee);
 }

@@ -95,7 +95,8 @@ void main() {
             atomicAdd(control.limited_cells, 1u);
         }
     }
-    velocity[ago(at)] = vec4(u, 0.0f); // which the next sub-step begins with
+    const float lee = has_lee() && !record_is(record, WINDROW_INSIDE) ? arrived[at].w : 0.0f;
+    velocity[ago(at)] = vec4(u, lee); // which the next sub-step begins with
     if (record_is(record, WINDROW_INSIDE) && !is_on(WINDROW_STABLE_FLUIDS))
         velocity[now(at)] = vec4(u, 0.0f);
 }

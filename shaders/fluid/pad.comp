@@ -8,6 +8,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 10
 #include "fluid/pass.glsl"
+#include "numerics/lee.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) readonly buffer History { vec4 history[]; };
@@ -34,6 +35,39 @@ float bend_of_row(int row, int first, int rows) {
     if (!is_on(WINDROW_PROFILE) || tick.period.y != 0.0f || row == 0 || row + 1 == rows)
         return 0.0f;
     return profile_of_row(row - 1, first) - 2.0f * profile_of_row(row, first) + profile_of_row(row + 1, first);
+}
+
+// [m/s] At the step's start.
+vec3 wind_of(int at) {
+    vec3 u = velocity[now(at)].xyz;
+    if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
+        u += control.substep_duration * force[at].xyz;
+    return u;
+}
+
+// The lee after the step: fluid/cpu/cells_mixing.cpp, deepen_lee.
+float lee_of(ivec3 cell) {
+    const int at = cell_index(cell);
+    const float lee = velocity[now(at)].w, along = drag_of(cell, at);
+    if (!(lee > 0.0f) && !(along > 0.0f))
+        return 0.0f;
+    const vec3 u = wind_of(at);
+    const ivec3 over = cell + ivec3(0, 1, 0), under = cell - ivec3(0, 1, 0);
+    vec2 high = u.xz, low = u.xz;
+    float top = row_height(cell.y), bottom = top;
+    if (over.y < tick.cells.y && !record_is(record_at(over), WINDROW_INSIDE)) {
+        high = wind_of(cell_index(over)).xz;
+        top = row_height(over.y);
+    }
+    if (under.y < 0 && tick.velocity_low.y < 0.0f) { // over a floor the air is at rest
+        low = vec2(0.0f);
+        bottom = 0.0f;
+    } else if (under.y >= 0 && !record_is(record_at(under), WINDROW_INSIDE)) {
+        low = wind_of(cell_index(under)).xz;
+        bottom = row_height(under.y);
+    }
+    const float per_height = top > bottom ? control.substep_duration / (top - bottom) : 0.0f;
+    return windrow_lee(lee, per_height * length(high - low), along * control.substep_duration * length(u));
 }
 
 // What the advection takes of a cell of air: carried, then its history and change at departure together, and V.
@@ -111,12 +145,15 @@ void main() {
     const int record = record_at(cell);
     Departing air;
     air.carried = air.held = air.trace = vec3(0.0f);
+    float lee = 0.0f;
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
         const Departing source = departing(term.cell, record_at(term.cell));
         air.carried += term.weight * windrow_slipped(source.carried, term.normal, wall_of(term, record));
         air.held += term.weight * windrow_slipped(source.held, term.normal, 0.0f);
         air.trace += term.weight * windrow_slipped(source.trace, term.normal, term.wall);
+        if (has_lee())
+            lee += term.weight * lee_of(term.cell);
     }
     vec3 carried = relaxed(air.carried, cell, record), u = air.trace;
     if (!identity) {
@@ -127,6 +164,8 @@ void main() {
         carried += history_scale * air.held;
     if (k_own_rows) // along it a trajectory counts rows
         u.y *= row_scale(cell.y);
-    padded[at] = vec4(carried, 0.0f);
+    if (is_on(WINDROW_RELAXES))
+        lee *= 1.0f / (1.0f + control.substep_duration / tick.relaxation_time);
+    padded[at] = vec4(carried, lee);
     padded[trace_at] = vec4(u, 0.0f);
 }

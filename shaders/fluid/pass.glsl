@@ -48,6 +48,8 @@ vec3 in_rows(vec3 u, int j) { return vec3(u.x, row_scale(j) * u.y, u.z); }
 float row_volume(int j) { return 1.0f / row_scale(j); }
 // What L takes from a difference over a face of a cell, at the low (0) or high (1) end of an axis.
 float exchange(ivec3 cell, int axis, int end) { return axis == 1 ? row_scale(cell.y) * row_link(cell.y + end) : 1.0f; }
+// Plants shorten the mixing length behind them (numerics/lee.glsl): the velocity's fourth component says how much.
+bool has_lee() { return is_on(WINDROW_ROUGH) && (is_on(WINDROW_DRAG) || tick.canopy_drag > 0.0f); }
 // [m] From the low corner.
 vec3 centre_of(ivec3 cell) {
     vec3 centre = tick.cell_size * (vec3(cell) + 0.5f);

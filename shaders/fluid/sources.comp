@@ -124,7 +124,7 @@ void main() {
                 tick.canopy_drag * tick.duration * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top);
             if (is_on(WINDROW_DRAG))
                 way += tick.duration * drag[at];
-            u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
+            u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), u.w);
             if (driven.w > 0.0f || way > 0.0f)
                 velocity[now(at)] = u;
         }

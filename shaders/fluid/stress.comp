@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7
 #include "fluid/pass.glsl"
+#include "numerics/lee.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Force { vec4 force[]; };
@@ -17,13 +18,14 @@ layout(std430, set = 0, binding = 6) buffer Diffused { vec4 diffused[]; };
 struct Row {
     vec2 u, v, wind;
     float vertical; // of what is solved for
+    float lee;
 };
 
 Row row_at(ivec3 cell) {
     Row row;
     const vec3 wind = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
     row.wind = wind.xz;
-    row.vertical = 0.0f;
+    row.vertical = row.lee = 0.0f;
     if (cell.y < 0 || cell.y >= tick.cells.y) { // beyond the box the air is ambient
         row.u = row.wind;
         row.v = is_on(WINDROW_GUSTS) ? vec2(0.0f) : row.wind;
@@ -45,6 +47,7 @@ Row row_at(ivec3 cell) {
     row.u = u.xz;
     row.v = v.xz;
     row.vertical = v.y;
+    row.lee = velocity[now(at)].w;
     return row;
 }
 
@@ -57,7 +60,8 @@ struct Face {
 Face face_between(Row low, Row high, float passes, float wind_mixing, float wind_drag) {
     const float below = passes > 0.0f ? 1.0f : 0.0f, factor = control.substep_duration / tick.cell_size;
     const vec2 u = high.u - below * low.u, v = high.v - below * low.v, wind = high.wind - below * low.wind;
-    const float k = factor * abs(passes) * length(u);
+    const float mixed = passes > 0.0f && has_lee() ? passes * windrow_lee_mixing(low.lee, high.lee) : abs(passes);
+    const float k = factor * mixed * length(u);
     const float of_wind = passes > 0.0f ? wind_mixing : passes < 0.0f ? wind_drag : 0.0f;
     const float k_wind = factor * of_wind * length(wind), most = max(k, k_wind - 0.5f);
     const float rest = (is_on(WINDROW_GUSTS) ? k : 0.0f) - k_wind;

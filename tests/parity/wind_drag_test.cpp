@@ -64,6 +64,49 @@ TEST_F(WindDrag, HasTheForceOfTheCpu) {
     EXPECT_FALSE(blind.force_on(DragId{}));
 }
 
+// Over rough ground plants shorten the mixing length behind them: a belt and a bush before and on a hill, in gusts, in a box that
+// follows, then without them.
+TEST_F(WindDrag, HasTheLeeOfTheCpu) {
+    for (const bool gusts : {false, true}) {
+        Config rough{.cells = {24, 12, 14},
+                     .boundaries = Boundaries::open_over_floor(),
+                     .centre = {0.0, 6.0, 0.0},
+                     .ambient = {6.0f, 0.0f, 1.0f},
+                     .profile = LogProfile{},
+                     .gusts = {.intensity = gusts ? 0.2f : 0.0f},
+                     .roughness = Roughness{}};
+        auto made = Wind::create(sharing_host(), rough, k_settings);
+        ASSERT_TRUE(made) << made.error();
+        Wind& gpu = *made;
+        windrow::Wind cpu = *windrow::Wind::create(rough);
+        const BeltDrag belt{.start = {-4.0, 0.0, -5.0}, .end = {-4.0, 0.0, 5.0}, .width = 2.0f, .height = 4.0f};
+        const Obstacle block{.position = {5.0, 0.5, 1.0}, .shape = Block{}};
+        const auto planted = gpu.drag().add(belt);
+        const auto also = cpu.drag().add(belt);
+        ASSERT_TRUE(planted && also);
+        ASSERT_TRUE(gpu.drag().add(k_bush) && cpu.drag().add(k_bush));
+        ASSERT_TRUE(gpu.obstacles().add(block) && cpu.obstacles().add(block));
+        double worst = 0.0, deepest = 0.0, lee = 0.0;
+        for (int n = 0; n < 16; ++n) {
+            ASSERT_TRUE(gpu.follow({0.2 * n, 6.0, 0.0}) && cpu.follow({0.2 * n, 6.0, 0.0}));
+            if (n == 13) {
+                ASSERT_TRUE(gpu.drag().remove(*planted) && cpu.drag().remove(*also));
+            }
+            step(gpu);
+            (void)cpu.step(1.0 / 30.0);
+            const auto cells = *gpu.cells();
+            worst = std::max(worst, apart(cells, cpu.field()));
+            for (std::size_t at = 0; at < cells.size(); ++at) {
+                deepest = std::max(deepest, static_cast<double>(cpu.field()[at].w));
+                lee = std::max(lee, static_cast<double>(std::abs(cells[at].w - cpu.field()[at].w)));
+            }
+        }
+        EXPECT_GT(deepest, 0.2);
+        WINDROW_EXPECT_FIGURE(gusts ? "wind_drag.lee_in_gusts" : "wind_drag.lee", worst, 1e-5);
+        WINDROW_EXPECT_FIGURE(gusts ? "wind_drag.lee_itself_in_gusts" : "wind_drag.lee_itself", lee, 1e-5);
+    }
+}
+
 // What a recording uploads that is never submitted is uploaded again.
 TEST_F(WindDrag, IsUploadedAgainAfterForget) {
     auto made = Wind::create(sharing_host(), config(), k_settings);

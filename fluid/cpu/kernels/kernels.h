@@ -120,6 +120,7 @@ struct StressTask {
     const float* wind_drag;   ///< one a row of cells
     float cells_per_speed;    ///< dt / h
     const float* row_scales;  ///< by row: cell size over its thickness; null: 1
+    bool lee;                 ///< the fourth components of `velocity` shorten the mixing length (shaders/numerics/lee.glsl)
 };
 
 /// Half of a step's drag on some cells of a row, where nothing else acts (fluid/cpu/acting.h).

@@ -93,6 +93,7 @@ inline vec3 windrow_tile_texel(const float* tile, const ivec3& texel) {
     return {at[0], at[1], at[2]};
 }
 #include "shaders/numerics/ambient.glsl"
+#include "shaders/numerics/lee.glsl"
 #include "shaders/numerics/wall_law.glsl"
 #include "shaders/numerics/window.glsl"
 #undef WINDROW_TILE

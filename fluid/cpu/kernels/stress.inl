@@ -33,10 +33,19 @@ inline Native length(Level a) {
     return square_root(a.x * a.x + a.z * a.z);
 }
 
-// One row of cells: u, the part of it that is solved for, and the ambient wind A.
+// One row of cells: u, the part of it that is solved for, the ambient wind A, and what the lee of plants takes of the mixing length.
 struct StressRow {
     Level u, v, wind;
+    Native lee;
 };
+
+// As windrow_lee_mixing.
+inline Native lee_mixing(Native low, Native high) {
+    const Native deepest = text::WINDROW_DEEPEST_LEE - Native{}, most = low > high ? low : high,
+                 least = most > Native{} ? most : Native{};
+    const Native left = 1.0f - (least < deepest ? least : deepest);
+    return left * left;
+}
 
 // What passes a face, in cells of speed: `bond` times the new v above it, less that below between cells, and what is known. With A
 // prescribed: k (2 v' - v + A) - k_wind A, and (k_wind - 1/2 - k) (v' - v) where that is above 0.
@@ -51,7 +60,8 @@ inline StressFace find_stress(const StressTask& task, Native passes, float wind_
     const NativeBits inner = passes > Native{}, surface = passes < Native{};
     const Native factor = task.cells_per_speed - Native{};
     const Level u = high.u - only(inner, low.u), v = high.v - only(inner, low.v), wind = high.wind - only(inner, low.wind);
-    const Native k = factor * (only(inner, passes) - only(surface, passes)) * length(u);
+    const Native mixed = task.lee ? passes * lee_mixing(low.lee, high.lee) : passes;
+    const Native k = factor * (only(inner, mixed) - only(surface, passes)) * length(u);
     const Native mixing = task.wind_mixing != nullptr ? wind_mixing - Native{} : passes;
     const Native of_wind = only(inner, mixing) + only(surface, wind_drag - Native{});
     const Native k_wind = factor * of_wind * length(wind), much = k_wind - 0.5f, most = k > much ? k : much;
@@ -119,13 +129,14 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
     const auto read_row = [&](int j) {
         const float* const u = task.velocity + corner + row * static_cast<std::size_t>(j);
         const float* const v = task.carried + corner + row * static_cast<std::size_t>(j);
-        StressRow level{read_level(u), {}, read_wind(j)};
+        const DealtCells here = dealt_cells(cells.read(u));
+        StressRow level{{here.x, here.z}, {}, read_wind(j), here.w};
         level.v = u == v ? level.u : read_level(v);
         return level;
     };
     const auto beyond = [&](int j) { // the air is ambient
         const Level wind = read_wind(j);
-        return StressRow{wind, task.prescribed ? Level{} : wind, wind};
+        return StressRow{wind, task.prescribed ? Level{} : wind, wind, Native{}};
     };
     const auto find = [&](int j, const StressRow& low, const StressRow& high) {
         return find_stress(task, cells.read_floats(faces + static_cast<std::size_t>(j) * nx),

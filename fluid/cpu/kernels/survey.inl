@@ -1,9 +1,12 @@
-// Reduction: largest component, non-finite cells and sum of squares in one read. Finiteness is tested on the bits: an exponent of
+// Reduction over the three components of the cells: largest component, non-finite cells and sum of squares in one read. Finiteness is tested on the bits: an exponent of
 // all ones is infinity or NaN for any compiler arithmetic mode. Magnitudes compare as integers, as floats of one sign do.
 
 PlaneSurvey survey(const float* velocity, std::size_t cells) {
     typedef std::int32_t Bits __attribute__((vector_size(k_native_lanes * 4)));
-    const Bits magnitude = Bits{} + 0x7fffffff, largest_finite = Bits{} + 0x7f7fffff;
+    Bits magnitude = Bits{} + 0x7fffffff; // of fourth components 0
+    for (int lane = 3; lane < k_native_lanes; lane += 4)
+        magnitude[lane] = 0;
+    const Bits largest_finite = Bits{} + 0x7f7fffff;
     constexpr std::size_t k_run = 1024; // squares are summed in float over a run only, then in double
     PlaneSurvey found = {};
     Bits largest = {};
