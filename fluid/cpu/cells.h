@@ -211,6 +211,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     [[nodiscard]] std::span<const glm::vec4> mix(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void deepen_lee(const DragRows& drag, float dt, int plane);
+    void deepen_lee_beside(const Solids& solids, glm::ivec3 cell, float drag, float dt);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
     void perform(float dt, int solves, Diagnostics& report);

@@ -5,6 +5,7 @@
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/stopwatch.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <utility>
@@ -63,38 +64,50 @@ std::span<const glm::vec4> Cells::mix(std::span<const glm::vec4> field, float dt
 // The lee after the step, by its wind at the start, into the fourth components of what is carried. Over a floor the air is at rest; a
 // body beside the cell makes no shear, and the face between them is the stress's.
 void Cells::deepen_lee(const DragRows& drag, float dt, int plane) {
-    const glm::ivec3 cells = box().cells;
-    const Solids* const solids = work.state().has_solids() ? work.state().solids.get() : nullptr;
-    const auto inside = [&](std::size_t n) { return solids != nullptr && solids->inside(static_cast<std::uint32_t>(n)); };
-    const auto level = [&](std::size_t n) { return glm::vec2(air.velocity[n].x, air.velocity[n].z); };
-    for (int j = 0; j < cells.y; ++j) {
+    const int nx = box().cells.x, top = box().cells.y - 1;
+    const auto centre = [this](int row) { return box().centre(0, row, 0).y; };
+    for (int j = 0; j <= top; ++j) {
         const DragRows::Row row = drag.at(j, plane);
-        const float middle = box().centre(0, j, 0).y;
-        for (int i = 0; i < cells.x; ++i) {
-            const std::size_t n = box().index(i, j, plane), over = n + static_cast<std::size_t>(cells.x),
-                              under = n - static_cast<std::size_t>(cells.x);
-            const glm::vec4 u = air.velocity[n];
-            const float c = row.of(i);
-            diffused_[n].w = 0.0f;
-            if (!(u.w > 0.0f) && !(c > 0.0f))
-                continue;
-            glm::vec2 high = level(n), low = high;
-            float top = middle, bottom = middle;
-            if (j + 1 < cells.y && !inside(over)) {
-                high = level(over);
-                top = box().centre(0, j + 1, 0).y;
-            }
-            if (j == 0 && config_.boundaries.y_low.solid()) {
-                low = glm::vec2(0.0f);
-                bottom = 0.0f;
-            } else if (j > 0 && !inside(under)) {
-                low = level(under);
-                bottom = box().centre(0, j - 1, 0).y;
-            }
-            const float per_height = top > bottom ? dt / (top - bottom) : 0.0f;
-            diffused_[n].w = numerics::windrow_lee(u.w, per_height * glm::length(high - low), c * dt * glm::length(glm::vec3(u)));
-        }
+        const bool on_floor = j == 0 && config_.boundaries.y_low.solid();
+        const int over = std::min(j + 1, top), under = std::max(j - 1, 0);
+        const float high = centre(over), low = on_floor ? 0.0f : centre(under);
+        const auto cells = [&](int of) { return &air.velocity[box().index(0, of, plane)].x; };
+        const LeeTask task{.count = nx,
+                           .velocity = cells(j),
+                           .above = cells(over),
+                           .below = on_floor ? nullptr : cells(under),
+                           .time_per_height = high > low ? dt / (high - low) : 0.0f,
+                           .deposits = row.deposits,
+                           .canopy = row.canopy,
+                           .dt = dt,
+                           .carried = &diffused_[box().index(0, j, plane)].x};
+        work.state().kernels->deepen_lee(task);
+        if (work.state().has_solids())
+            for (int i = 0; i < nx; ++i)
+                deepen_lee_beside(*work.state().solids, {i, j, plane}, row.of(i), dt);
     }
+}
+
+// The same of a cell below or above a body.
+void Cells::deepen_lee_beside(const Solids& solids, glm::ivec3 cell, float drag, float dt) {
+    const auto inside = [&](int row) {
+        return row >= 0 && row < box().cells.y && solids.inside(static_cast<std::uint32_t>(box().index(cell.x, row, cell.z)));
+    };
+    const bool over = inside(cell.y + 1), under = inside(cell.y - 1);
+    if (!over && !under)
+        return;
+    const auto level = [&](int row) {
+        const glm::vec4 u = air.velocity[box().index(cell.x, row, cell.z)];
+        return glm::vec2(u.x, u.z);
+    };
+    const bool on_floor = cell.y == 0 && config_.boundaries.y_low.solid();
+    const int above = over ? cell.y : std::min(cell.y + 1, box().cells.y - 1), below = under ? cell.y : std::max(cell.y - 1, 0);
+    const float high = box().centre(0, above, 0).y, low = on_floor ? 0.0f : box().centre(0, below, 0).y;
+    const float shear =
+        high > low ? dt / (high - low) * glm::length(level(above) - (on_floor ? glm::vec2(0.0f) : level(below))) : 0.0f;
+    const std::size_t n = box().index(cell.x, cell.y, cell.z);
+    const glm::vec4 u = air.velocity[n];
+    diffused_[n].w = numerics::windrow_lee(u.w, shear, drag * dt * glm::length(glm::vec3(u)));
 }
 
 } // namespace windrow::cpu

@@ -67,3 +67,24 @@ void drag_arrives(const DragTask& task) {
         cells.write(cells_of_dealt(u), task.arrived + at);
     });
 }
+
+// windrow_lee in each cell of a row.
+void deepen_lee(const LeeTask& task) {
+    const Native deepest = text::WINDROW_DEEPEST_LEE - Native{};
+    for (int first = 0; first < task.count; first += k_native_lanes) {
+        const RowCells cells(task.count - first < k_native_lanes ? task.count - first : k_native_lanes);
+        const std::ptrdiff_t at = 4 * static_cast<std::ptrdiff_t>(first);
+        const DealtCells u = dealt_cells(cells.read(task.velocity + at)), high = dealt_cells(cells.read(task.above + at));
+        const DealtCells low = task.below != nullptr ? dealt_cells(cells.read(task.below + at)) : DealtCells{};
+        Native drag = task.canopy - Native{};
+        if (task.deposits != nullptr)
+            drag = drag + cells.read_floats(task.deposits + first);
+        const Native shear = task.time_per_height * length(Level{high.x - low.x, high.z - low.z});
+        const Native broken = drag * task.dt * square_root(u.x * u.x + u.y * u.y + u.z * u.z);
+        const Native before = only(u.w > Native{}, u.w < deepest ? u.w : deepest);
+        const Native lee = (before + broken) / (1.0f + 0.2f * shear + broken);
+        DealtCells carried = dealt_cells(cells.read(task.carried + at));
+        carried.w = lee < deepest ? lee : deepest;
+        cells.write(cells_of_dealt(carried), task.carried + at);
+    }
+}

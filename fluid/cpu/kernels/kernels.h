@@ -140,6 +140,18 @@ struct DragTask {
     float* arrived = nullptr;
 };
 
+/// The lee of plants in a row (shaders/numerics/lee.glsl).
+struct LeeTask {
+    int count;
+    const float* velocity; ///< four floats a cell, the lee as the fourth
+    const float* above;
+    const float* below;    ///< null: air at rest
+    float time_per_height; ///< [s/m] a step over the distance of these
+    const float* deposits; ///< as of DragTask
+    float canopy, dt;
+    float* carried; ///< takes the lee after the step
+};
+
 /// Figures of one plane, or of a part of it.
 struct PlaneSurvey {
     float largest_component;      ///< of the finite cells
@@ -262,6 +274,7 @@ struct Kernels {
     void (*gradient_plane)(const GradientTask&, int plane);
     void (*diffuse_plane)(const DiffuseTask&, int plane);
     void (*stress_plane)(const StressTask&, int plane);
+    void (*deepen_lee)(const LeeTask&);
     /// The change at departure goes into the history, and the history is kept.
     void (*drag_departs)(const DragTask&);
     /// The history is as it was again, and what arrived is slowed; fourth components stay.

@@ -43,6 +43,7 @@ const Kernels k_kernels = {
     gradient_plane,
     diffuse_plane,
     stress_plane,
+    deepen_lee,
     drag_departs,
     drag_arrives,
     multiply,

@@ -34,9 +34,14 @@ inline Native length(Level a) {
 }
 
 // One row of cells: u, the part of it that is solved for, the ambient wind A, and what the lee of plants takes of the mixing length.
+template <bool Lee>
 struct StressRow {
     Level u, v, wind;
-    Native lee;
+};
+template <>
+struct StressRow<true> {
+    Level u, v, wind;
+    Native lee = {};
 };
 
 // As windrow_lee_mixing.
@@ -55,12 +60,15 @@ struct StressFace {
     Level known;
 };
 
-inline StressFace find_stress(const StressTask& task, Native passes, float wind_mixing, float wind_drag, const StressRow& low,
-                              const StressRow& high) {
+template <bool Lee>
+inline StressFace find_stress(const StressTask& task, Native passes, float wind_mixing, float wind_drag,
+                              const StressRow<Lee>& low, const StressRow<Lee>& high) {
     const NativeBits inner = passes > Native{}, surface = passes < Native{};
     const Native factor = task.cells_per_speed - Native{};
     const Level u = high.u - only(inner, low.u), v = high.v - only(inner, low.v), wind = high.wind - only(inner, low.wind);
-    const Native mixed = task.lee ? passes * lee_mixing(low.lee, high.lee) : passes;
+    Native mixed = passes;
+    if constexpr (Lee)
+        mixed = passes * lee_mixing(low.lee, high.lee);
     const Native k = factor * (only(inner, mixed) - only(surface, passes)) * length(u);
     const Native mixing = task.wind_mixing != nullptr ? wind_mixing - Native{} : passes;
     const Native of_wind = only(inner, mixing) + only(surface, wind_drag - Native{});
@@ -110,6 +118,7 @@ class RowCells {
     int count_;
 };
 
+template <bool Lee>
 inline void solve_columns(const StressTask& task, int plane, int first) {
     const int nx = task.cells[0], ny = task.cells[1];
     const RowCells cells(nx - first < k_native_lanes ? nx - first : k_native_lanes);
@@ -130,28 +139,30 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
         const float* const u = task.velocity + corner + row * static_cast<std::size_t>(j);
         const float* const v = task.carried + corner + row * static_cast<std::size_t>(j);
         const DealtCells here = dealt_cells(cells.read(u));
-        StressRow level{{here.x, here.z}, {}, read_wind(j), here.w};
+        StressRow<Lee> level{{here.x, here.z}, {}, read_wind(j)};
+        if constexpr (Lee)
+            level.lee = here.w;
         level.v = u == v ? level.u : read_level(v);
         return level;
     };
     const auto beyond = [&](int j) { // the air is ambient
         const Level wind = read_wind(j);
-        return StressRow{wind, task.prescribed ? Level{} : wind, wind, Native{}};
+        return StressRow<Lee>{wind, task.prescribed ? Level{} : wind, wind};
     };
-    const auto find = [&](int j, const StressRow& low, const StressRow& high) {
-        return find_stress(task, cells.read_floats(faces + static_cast<std::size_t>(j) * nx),
-                           task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f, j < ny ? task.wind_drag[j] : 0.0f, low,
-                           high);
+    const auto find = [&](int j, const StressRow<Lee>& low, const StressRow<Lee>& high) {
+        return find_stress<Lee>(task, cells.read_floats(faces + static_cast<std::size_t>(j) * nx),
+                                task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f, j < ny ? task.wind_drag[j] : 0.0f, low,
+                                high);
     };
 
     // Row by row v[j] = swept + ratio v[j+1]; the result's fourth component keeps the ratio.
-    const StressRow below = beyond(-1), above = beyond(ny);
-    StressRow here = read_row(0);
+    const StressRow<Lee> below = beyond(-1), above = beyond(ny);
+    StressRow<Lee> here = read_row(0);
     StressFace low = find(0, below, here);
     Level swept = below.v;
     Native ratio = {};
     for (int j = 0; j < ny; ++j) {
-        const StressRow next = j + 1 < ny ? read_row(j + 1) : above;
+        const StressRow<Lee> next = j + 1 < ny ? read_row(j + 1) : above;
         const StressFace high = find(j + 1, here, next);
         const Native to_low = only(low.inner, low.bond), to_high = only(high.inner, high.bond);
         const Level known = only(high.inner, high.known) - low.known;
@@ -179,5 +190,5 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
 
 void stress_plane(const StressTask& task, int plane) {
     for (int first = 0; first < task.cells[0]; first += k_native_lanes)
-        solve_columns(task, plane, first);
+        task.lee ? solve_columns<true>(task, plane, first) : solve_columns<false>(task, plane, first);
 }
