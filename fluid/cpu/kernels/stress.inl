@@ -188,7 +188,7 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
     }
 }
 
-void stress_plane(const StressTask& task, int plane) {
+[[gnu::flatten]] void stress_plane(const StressTask& task, int plane) {
     for (int first = 0; first < task.cells[0]; first += k_native_lanes)
         task.lee ? solve_columns<true>(task, plane, first) : solve_columns<false>(task, plane, first);
 }
