@@ -32,7 +32,7 @@ void write_set(const Functions& functions, VkDevice device, VkDescriptorSet set,
     std::vector<VkWriteDescriptorSet> writes;
     for (std::size_t n = 0; n < bindings.size(); ++n) {
         const Binding& binding = bindings[n];
-        buffers[n] = {binding.buffer, 0, VK_WHOLE_SIZE};
+        buffers[n] = {binding.buffer, 0, binding.bytes};
         images[n] = {binding.sampler, binding.view, image_layout_of(binding)};
         writes.push_back({.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                           .pNext = nullptr,

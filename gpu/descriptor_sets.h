@@ -16,9 +16,11 @@ class PipelineLayout;
 /// Contents of a descriptor set, in the order of its bindings.
 struct Binding {
     VkDescriptorType type;
-    VkBuffer buffer = VK_NULL_HANDLE;  ///< whole
+    VkBuffer buffer = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE; ///< in VK_IMAGE_LAYOUT_GENERAL (storage) or SHADER_READ_ONLY_OPTIMAL (sampled)
     VkSampler sampler = VK_NULL_HANDLE;
+    VkDeviceSize bytes =
+        VK_WHOLE_SIZE; ///< of the buffer: from an offset on that is given as the set is bound, where it is dynamic
 };
 
 /// Move-only. Descriptor sets, all made and written at once: ordinary ones, since GPU-assisted validation takes push descriptors

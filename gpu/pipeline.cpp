@@ -5,7 +5,9 @@
 #include "gpu/functions.h"
 #include "gpu/pipeline_state.h"
 
+#include <algorithm>
 #include <cassert>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,11 +15,11 @@
 namespace windrow::vulkan {
 namespace {
 
-void check_count(std::span<const VkDescriptorSetLayoutBinding> bindings, VkDescriptorType type, std::uint32_t most,
-                 const char* limit, detail::Reasons& reasons, const std::string& what) {
+void check_count(std::span<const VkDescriptorSetLayoutBinding> bindings, std::initializer_list<VkDescriptorType> types,
+                 std::uint32_t most, const char* limit, detail::Reasons& reasons, const std::string& what) {
     std::uint32_t count = 0;
     for (const VkDescriptorSetLayoutBinding& binding : bindings)
-        count += binding.descriptorType == type ? binding.descriptorCount : 0;
+        count += std::find(types.begin(), types.end(), binding.descriptorType) != types.end() ? binding.descriptorCount : 0;
     if (count > most)
         reasons.add(what, " binds ", count, " where the device takes ", most, " (", limit, "): use another device or the CPU.");
 }
@@ -29,9 +31,11 @@ Result<void> check_layout(const Device& device, std::span<const VkDescriptorSetL
     if (push_bytes > limits.maxPushConstantsSize)
         reasons.add(what, " pushes ", push_bytes, " bytes of constants where the device takes ", limits.maxPushConstantsSize,
                     " (maxPushConstantsSize): use another device or the CPU.");
-    check_count(bindings, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, limits.maxPerStageDescriptorStorageBuffers,
-                "maxPerStageDescriptorStorageBuffers", reasons, what);
-    check_count(bindings, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, limits.maxPerStageDescriptorStorageImages,
+    check_count(bindings, {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC},
+                limits.maxPerStageDescriptorStorageBuffers, "maxPerStageDescriptorStorageBuffers", reasons, what);
+    check_count(bindings, {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC}, limits.maxDescriptorSetStorageBuffersDynamic,
+                "maxDescriptorSetStorageBuffersDynamic", reasons, what);
+    check_count(bindings, {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE}, limits.maxPerStageDescriptorStorageImages,
                 "maxPerStageDescriptorStorageImages", reasons, what);
     if (!reasons.empty())
         return Error{reasons.take()};
@@ -128,9 +132,11 @@ Result<Pipeline> Pipeline::create(Device& device, PipelineLayout layout, const D
     return pipeline;
 }
 
-void Pipeline::bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set) const {
+void Pipeline::bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set,
+                    std::span<const std::uint32_t> offsets) const {
     functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, handle());
-    functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout(), 0, 1, &set, 0, nullptr);
+    functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout(), 0, 1, &set,
+                                      static_cast<std::uint32_t>(offsets.size()), offsets.data());
 }
 
 // Based on: Khronos, SPIR-V Specification 1.6, sections 2.3 (layout of a module), 3.20 (decorations), 3.49 (instructions).

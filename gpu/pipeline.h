@@ -53,8 +53,9 @@ class WINDROW_INTERNAL Pipeline : public PipelineLayout {
     /// With a layout of the caller's; `bindings` and `push_bytes` of the description are not read.
     [[nodiscard]] static Result<Pipeline> create(Device& device, PipelineLayout layout, const Description& description);
     [[nodiscard]] VkPipeline handle() const { return pipeline_.get(); }
-    /// For the dispatches that follow.
-    void bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set) const;
+    /// For the dispatches that follow. `offsets`: of the dynamic bindings, in order.
+    void bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set,
+              std::span<const std::uint32_t> offsets = {}) const;
 
   private:
     Handle<VkPipeline, &Functions::vkDestroyPipeline> pipeline_;

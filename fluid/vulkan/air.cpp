@@ -97,6 +97,7 @@ Result<void> Air::make_memory() {
                                             .rough = rough(),
                                             .rows = rows_table_ != nullptr,
                                             .gusts = settings_.gusts,
+                                            .slabs = Passes::fits_in_slabs(*device_, config_.cells),
                                             .texel = settings_.texel,
                                             .textures = settings_.textures,
                                             .slots = static_cast<std::uint32_t>(settings_.reads.slots),
@@ -124,6 +125,10 @@ Result<void> Air::make() {
         return passes.failure();
     passes_ = *std::move(passes);
     passes_know_obstacles_ = settings_.obstacles;
+    const std::vector<WindrowRow> rows = rows_table_ ? rows_in(*rows_table_) : std::vector<WindrowRow>();
+    const auto bytes = std::as_bytes(std::span(rows));
+    step_block_.resize(sizeof(WindrowStep) + bytes.size());
+    std::ranges::copy(bytes, step_block_.begin() + sizeof(WindrowStep));
     return {};
 }
 
@@ -216,24 +221,10 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
 
 void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes, VkDeviceSize first) {
     wait(commands);
+    ++transfers_;
     for (std::size_t at = 0; at < bytes.size(); at += k_max_update)
         device_->functions().vkCmdUpdateBuffer(commands, to.handle(), first + at,
                                                std::min<VkDeviceSize>(k_max_update, bytes.size() - at), bytes.data() + at);
-}
-
-void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
-                     std::shared_ptr<const GustTile> tile) {
-    if (!tile)
-        tile = settings_.gusts ? ambient.tile() : tile_;
-    const bool new_tile = tile && tile != tile_;
-    if (new_tile)
-        tile_ = std::move(tile);
-    // The host's shaders read the tile too: those of earlier frames finish before it changes.
-    barrier(new_tile ? device_->reader_stages() | k_compute | k_transfer : k_compute, k_transfer);
-    write_tables(commands);
-    if (new_tile)
-        write(commands, fields_.tile, std::as_bytes(tile_->texels()));
-    write(commands, fields_.step, std::as_bytes(std::span(&block, 1)));
 }
 
 // --- Recording ---------------------------------------------------------------------------------------------------------------
@@ -247,6 +238,7 @@ void Air::wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> i
     const VkPipelineStageFlags from = std::exchange(waits_from_, 0), to = std::exchange(waits_to_, 0);
     if (from == 0)
         return;
+    ordered_ = ordered_ || ((from & k_compute) != 0 && (to & k_compute) != 0);
     const VkMemoryBarrier memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                  .pNext = nullptr,
                                  .srcAccessMask = writes_of(from),
@@ -258,17 +250,23 @@ void Air::wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> i
 
 void Air::copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at) {
     wait(commands);
+    ++transfers_;
     const VkBufferCopy region{.srcOffset = 0, .dstOffset = at, .size = std::min(from.bytes(), to.bytes() - at)};
     device_->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
 }
 
 void Air::clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at, VkDeviceSize bytes) {
     wait(commands);
+    ++transfers_;
     device_->functions().vkCmdFillBuffer(commands, buffer.handle(), at, bytes, 0);
 }
 
 void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame, std::optional<std::uint32_t> command) {
+    if (!step_put_)
+        put_step(commands);
     wait(commands);
+    ordered_ = false;
+    passes_.use(blocks_);
     const Label label(*device_, commands, name_of(pass));
     const PassClock::Lap lap(clock_, commands, pass);
     if (command)
@@ -279,6 +277,7 @@ void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int fr
 }
 
 void Air::place(VkCommandBuffer commands, const WindrowPlacePush& push) {
+    counted_ = false;
     barrier(k_transfer | k_compute, k_compute);
     dispatch(commands, Pass::place, push);
     barrier(k_compute, k_compute | k_transfer);
@@ -325,7 +324,9 @@ void Air::keep(VkCommandBuffer commands) {
 
 void Air::begin_anew(VkCommandBuffer commands) {
     barrier(k_compute | k_transfer, k_transfer);
-    clear(commands, fields_.control, offsetof(WindrowControl, undiffused_time), 2 * sizeof(float)); // and carried_time
+    // And the time that is behind.
+    clear(commands, fields_.control, offsetof(WindrowControl, plan) + offsetof(WindrowPlan, undiffused_time), 2 * sizeof(float));
+    clear(commands, fields_.control, offsetof(WindrowControl, last_undiffused), 2 * sizeof(float));
     barrier(k_transfer, k_compute | k_transfer);
     fresh_ = inside_is_air_ = true;
 }
@@ -349,6 +350,7 @@ void Air::place_exposed(VkCommandBuffer commands) {
 
 void Air::adjust(VkCommandBuffer commands, const CellChange& change) {
     const bool of_mean = change.kind == CellChange::Kind::add_change;
+    counted_ = false;
     barrier(k_transfer | k_compute, k_compute);
     dispatch(commands, Pass::adjust,
              WindrowAdjustPush{.change = change.change,
@@ -402,24 +404,31 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     }
     const bool renews_sources = step.renews_sources || (others && step.has_source_flow);
     block.flags |= (renews_sources ? WINDROW_RENEWS_SOURCE_FLOW : 0);
-    block.flags |= (limits ? WINDROW_LIMITS : 0) | (std::exchange(keeps_, false) ? WINDROW_KEEPS : 0);
-    write_step(commands, block, *step.ambient, step.tile);
     const DiffusionMethod diffusion = diffusion_of(step.duration);
     const bool chosen = substeps > 1 && block.forced_substeps == 0; // by the device
     const bool rehearses = fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0;
+    const bool plans = substeps > 1 || limits || rehearses || diffusion != DiffusionMethod::none; // with a pass of its own
+    block.flags |= (limits ? WINDROW_LIMITS : 0) | (std::exchange(keeps_, false) ? WINDROW_KEEPS : 0) |
+                   (std::exchange(stepped_, true) ? 0 : WINDROW_FIRST_TICK) | (plans ? 0 : WINDROW_PLANS);
+    const bool classic = (block.flags & WINDROW_STABLE_FLUIDS) != 0;
+    const bool counted =
+        counted_ && step.motors.empty() && block.exposes == 0 && !places && !renews_sources && !limits && !classic;
+    block.flags |= counted ? WINDROW_COUNTED : 0;
+    order_passes();
+    write_step(commands, block, *step.ambient, step.tile);
     Passes::Around around = around_obstacles(true);
     const Shapes shapes{diffusion, around};
-    if (chosen && std::exchange(shapes_, shapes) != shapes)
+    if (chosen && std::exchange(shapes_, shapes) != shapes) {
+        barrier(k_compute | k_transfer, k_transfer);
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(passes_.substep(diffusion, around))));
+        barrier(k_transfer, k_compute);
+    }
     if (const auto motors = uncovered(step.motors); !motors.empty())
-        write(commands, fields_.motors, std::as_bytes(motors));
-    // The counters of a tick begin at 0; the duration of the last sub-step is kept.
-    clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
-    constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);
-    clear(commands, fields_.control, first, (std::exchange(stepped_, true) ? counts : sizeof(WindrowControl)) - first);
-    barrier(k_transfer, k_compute);
-    dispatch(commands, Pass::sources);
-    barrier(k_compute, k_compute);
+        blocks_.motors = put(commands, fields_.motors, std::as_bytes(motors));
+    if (!counted) {
+        dispatch(commands, Pass::sources);
+        barrier(k_compute, k_compute);
+    }
     if (around.rooms && places)
         work_on_rooms(commands, WINDROW_STILL_NEW_ROOMS);
     if (around.rooms && (block.flags & WINDROW_EXPANDS) != 0)
@@ -432,8 +441,10 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         dispatch(commands, Pass::source_flow);
         barrier(k_compute, k_compute);
     }
-    dispatch(commands, Pass::plan);
-    barrier(k_compute, chosen ? k_compute | k_indirect : k_compute);
+    if (plans) {
+        dispatch(commands, Pass::plan);
+        barrier(k_compute, chosen ? k_compute | k_indirect : k_compute);
+    }
     if (limits) {
         dispatch(commands, Pass::limit);
         barrier(k_compute, k_compute);
@@ -455,6 +466,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
                 chosen && n > 0 ? std::optional((static_cast<std::uint32_t>(n) - 1) * passes) : std::nullopt);
         fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0; // the next sub-step has a past
     }
+    counted_ = !around.rooms; // whose air may be slowed
 }
 
 void Air::substep(VkCommandBuffer commands, std::span<const Passes::Stage> stages, int number,

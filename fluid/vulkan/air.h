@@ -2,7 +2,7 @@
 //
 //   place      cells that the box exposes                            only when it moves: cells stay where they are stored
 //   sources    motors, guard, reduction: u, f, S                     once a tick
-//   plan       n sub-steps, from the largest speed                   once a tick
+//   plan       n sub-steps, from the largest speed                   once a tick, where several are recorded or viscosity acts
 //   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
 //   solve      L phi = div w: modes of x and z, columns of y, back
@@ -11,9 +11,11 @@
 //   report     figures of the tick to the host, and what it asked for once a frame
 //
 // The host records as many sub-steps as its bound of the speed asks for (speed_bound.h); the device chooses how many of them run,
-// and carries time over to the next tick where they are too few. Parameters of a tick are in the command buffer
-// (vkCmdUpdateBuffer), large tables in a block of host memory that is written once: the host writes no memory that frames in
-// flight use.
+// and carries time over to the next tick where they are too few. Where one is recorded, no pass makes the plan: `pad` derives it.
+//
+// Parameters of a tick are in host memory that the passes read (host_blocks.h), large tables in a block of it that is written once:
+// the host writes no memory that frames in flight use. So a tick has no copies, except where motors, obstacles, deposits or the
+// gust tile have changed and do not fit there.
 #pragma once
 
 #include "fluid/api.h"
@@ -153,6 +155,8 @@ class Air {
     /// Dispatches and barriers recorded so far.
     [[nodiscard]] int dispatches() const { return dispatches_; }
     [[nodiscard]] int barriers() const { return barriers_; }
+    /// Copies, fills and writes of buffers recorded so far.
+    [[nodiscard]] int transfers() const { return transfers_; }
     [[nodiscard]] bool holds_gusts() const { return settings_.gusts; }
     /// Steps were recorded since `begin`; the report counts their cells together.
     [[nodiscard]] bool stepped() const { return stepped_; }
@@ -214,10 +218,18 @@ class Air {
                     std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_max_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes, VkDeviceSize first = 0);
+    /// Gives the passes to come a block of these bytes. Returns its offset.
+    [[nodiscard]] std::uint32_t put(VkCommandBuffer commands, HostBlocks& blocks, std::span<const std::byte> bytes);
+    void put_step(VkCommandBuffer commands);
     /// Barrier: earlier commands in stages `from` are done before later ones in stages `to`. Recorded with the next command, as
     /// one with all that are asked for before it.
     void barrier(VkPipelineStageFlags from, VkPipelineStageFlags to);
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});
+    /// Passes to come find what earlier ones did.
+    void order_passes() {
+        if (!ordered_)
+            barrier(k_compute, k_compute);
+    }
     void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at = 0);
     void clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
     /// `command`: its work groups are entry `command` of Fields::commands.
@@ -289,6 +301,9 @@ class Air {
     Passes passes_;
     PassClock* clock_ = nullptr;
     std::shared_ptr<const GustTile> tile_; ///< what Fields::tile holds
+    Passes::Blocks blocks_;                ///< that the passes read
+    std::vector<std::byte> step_block_{};  ///< the last one: WindrowStep, then the rows
+    bool step_put_ = false;                ///< where this recording's passes read it
     bool tables_written_ = false, rules_written_ = false;
     /// Tables on their way, where they are too many for the command buffer itself; they stay for `forget`.
     Buffer piece_;
@@ -338,13 +353,15 @@ class Air {
     glm::ivec3 torus_{0};             ///< WindrowStep::torus
     std::optional<CellChange> shift_; ///< the last one, whose exposed cells the next tick's first pass writes
     bool fresh_ = true;
-    bool keeps_ = false; ///< the air of the tick before is the velocity, which the next tick's first pass keeps
+    bool keeps_ = false;   ///< the air of the tick before is the velocity, which the next tick's first pass keeps
+    bool counted_ = false; ///< the last sub-step has guarded the air and found its largest speed, and nothing changed it since
     bool cleared_ = false;
     bool stepped_ = false; ///< since `begin`
     float shown_factor_ = 1.0f;
     int forced_substeps_ = 0;
-    int dispatches_ = 0, barriers_ = 0;
+    int dispatches_ = 0, barriers_ = 0, transfers_ = 0;
     VkPipelineStageFlags waits_from_ = 0, waits_to_ = 0; ///< of the barrier to come
+    bool ordered_ = false;                               ///< a barrier between passes was recorded behind the last one
 };
 
 } // namespace windrow::vulkan

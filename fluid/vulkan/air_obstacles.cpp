@@ -45,6 +45,7 @@ void Air::uncover(VkCommandBuffer commands, int substep) {
         return;
     place_exposed(commands);
     keep(commands); // as it was shown
+    counted_ = false;
     barrier(k_transfer | k_compute, k_compute);
     dispatch(commands, Pass::uncover, WindrowUncoverPush{.shift = unplaced_shift_, .substep = substep, .past = fresh_ ? 0 : 1});
     barrier(k_compute, k_compute | k_transfer);

@@ -25,7 +25,7 @@ VkDeviceSize Air::slot_bytes(const Reads& reads) {
 
 void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
     const ReadBack kind = settings_.reads.kind;
-    barrier(k_compute | k_transfer, k_compute);
+    order_passes();
     const auto sums = static_cast<int>(fields_.sums.bytes() / sizeof(glm::vec2));
     const VkDeviceSize behind = slot_bytes(settings_.reads) - forces_bytes(settings_.reads) - sizeof(WindrowReport);
     dispatch(

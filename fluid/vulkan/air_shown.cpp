@@ -135,10 +135,11 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                .pNext = nullptr,
                                .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
-                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
-    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages(), 0, 1, &tile, 0, nullptr,
-                                              static_cast<std::uint32_t>(images.size()), images.data());
+                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT};
+    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages() | k_compute, 0, 1, &tile,
+                                              0, nullptr, static_cast<std::uint32_t>(images.size()), images.data());
     ++barriers_;
+    ordered_ = true; // the passes to come find the sums too
 }
 
 } // namespace windrow::vulkan

@@ -58,7 +58,8 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
                     sizeof(cell));
         return cell;
     };
-    const std::size_t now = static_cast<std::size_t>(found.first_slot + found.substeps) % 2;
+    const WindrowPlan& plan = found.plan;
+    const std::size_t now = static_cast<std::size_t>(plan.first_slot + plan.substeps) % 2;
     const bool ambient = shown && shown->still && shown->ambient.gusting();
     const auto shown_cell = [&](std::size_t n) { // as shown.glsl
         if (ambient) {
@@ -66,7 +67,7 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
             return glm::vec4(shown->ambient.velocity(shown->window.centre(cell.x, cell.y, cell.z)), 0.0f);
         }
         const glm::vec4 u = value(velocity, n, now), then = value(before, n);
-        return factor == 1.0f || found.nonfinite_cells > 0 ? u : then + factor * (u - then);
+        return factor == 1.0f || plan.nonfinite_cells + found.nonfinite_cells > 0 ? u : then + factor * (u - then);
     };
     std::size_t term = 0;
     for (const SnapshotDraft::Gap& gap : draft.gaps) {
@@ -99,10 +100,10 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
             fill(shown_cell);
             break;
         case DeviceState::dt_old:
-            copy(&found.substep_duration);
+            copy(&plan.substep_duration);
             break;
         case DeviceState::undiffused_time:
-            copy(&found.undiffused_time);
+            copy(&plan.undiffused_time);
             break;
         case DeviceState::surface_term:
             copy(terms.mapped() + sizeof(float) * term++);
@@ -171,10 +172,14 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
     const auto set = [&](std::size_t at, float value) {
         device_->functions().vkCmdUpdateBuffer(commands, fields_.control.handle(), at, sizeof(value), &value);
     };
-    set(offsetof(WindrowControl, substep_duration), air.dt_old);
-    set(offsetof(WindrowControl, undiffused_time), air.undiffused_time);
+    constexpr std::size_t k_plan = offsetof(WindrowControl, plan);
+    for (const std::size_t at : {k_plan + offsetof(WindrowPlan, substep_duration), offsetof(WindrowControl, last_duration)})
+        set(at, air.dt_old);
+    for (const std::size_t at : {k_plan + offsetof(WindrowPlan, undiffused_time), offsetof(WindrowControl, last_undiffused)})
+        set(at, air.undiffused_time);
     barrier(k_transfer, k_compute | k_transfer);
     fresh_ = air.fresh;
+    counted_ = false;
     for (Buffer& field : air.fields)
         if (field.bytes() > 0)
             retired_.push_back({std::move(field), slot_});

@@ -60,6 +60,7 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
         place_exposed(commands);
     }
     uncover(commands, -1);
+    counted_ = false;
     write_step(commands, block_of(change.ambient, change.window), change.ambient);
     barrier(k_transfer | k_compute, k_compute);
     const auto field = [&](int which, bool ambient) {
@@ -90,7 +91,7 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
 
 SolveTables Air::tables_of(const Boundaries& boundaries) const {
     const ColumnRows rows = rows_table_ ? ColumnRows(*rows_table_, static_cast<double>(config_.cell_size)) : ColumnRows();
-    SolveTables tables(config_.cells, pressure_ends(boundaries), rows);
+    SolveTables tables(config_.cells, pressure_ends(boundaries), rows, Passes::fits_in_slabs(*device_, config_.cells));
     if (prepared_ == DiffusionMethod::implicit)
         tables.add_diffusion(config_.cells,
                              {velocity_ends(boundaries, 0), velocity_ends(boundaries, 1), velocity_ends(boundaries, 2)});
@@ -153,6 +154,9 @@ void Air::set_boundaries(NewBoundaries&& boundaries) {
 
 void Air::begin(int slot) {
     slot_ = slot;
+    fields_.step.begin(slot);
+    fields_.motors.begin(slot);
+    step_put_ = false;
     stepped_ = false;
     std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
     std::erase_if(retired_passes_, [&](const RetiredPasses& retired) { return retired.slot == slot; });
@@ -167,7 +171,7 @@ void Air::forget() {
     shapes_.reset();
     shift_.reset();
     fresh_ = true;
-    keeps_ = false;
+    keeps_ = ordered_ = counted_ = false;
 }
 
 // Data that is constant from tick to tick, written once.
@@ -175,13 +179,8 @@ void Air::write_tables(VkCommandBuffer commands) {
     if (tables_written_ && rules_written_)
         return;
     barrier(k_compute | k_transfer, k_transfer);
-    if (!std::exchange(rules_written_, true)) {
+    if (!std::exchange(rules_written_, true))
         write(commands, fields_.rules, std::as_bytes(std::span(rules_)));
-        if (rows_table_) {
-            const std::vector<WindrowRow> rows = rows_in(*rows_table_);
-            write(commands, fields_.step, std::as_bytes(std::span(rows)), sizeof(WindrowStep));
-        }
-    }
     if (!std::exchange(tables_written_, true)) {
         if (piece_.bytes() > 0) {
             copy(commands, piece_, fields_.tables);
@@ -191,12 +190,44 @@ void Air::write_tables(VkCommandBuffer commands) {
         }
         shapes_.reset();
     }
-    if (std::exchange(cleared_, true))
-        return;
     // These are read before the first write, times 0: they must hold finite numbers.
-    for (const Buffer* field : {&fields_.velocity, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
-                                &fields_.potential, &fields_.control})
-        clear(commands, *field);
+    if (!std::exchange(cleared_, true))
+        for (const Buffer* field : {&fields_.velocity, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
+                                    &fields_.potential, &fields_.control})
+            clear(commands, *field);
+    barrier(k_transfer, k_compute | k_transfer);
+}
+
+// --- The blocks of a tick, which the host writes where the passes read them ---------------------------------------------------
+
+void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
+                     std::shared_ptr<const GustTile> tile) {
+    if (!tile)
+        tile = settings_.gusts ? ambient.tile() : tile_;
+    write_tables(commands);
+    if (tile && tile != tile_) {
+        tile_ = std::move(tile);
+        // The host's shaders read it too: those of earlier frames finish before it changes.
+        barrier(device_->reader_stages() | k_compute | k_transfer, k_transfer);
+        write(commands, fields_.tile, std::as_bytes(tile_->texels()));
+        barrier(k_transfer, k_compute | k_transfer);
+    }
+    std::memcpy(step_block_.data(), &block, sizeof(block));
+    put_step(commands);
+}
+
+std::uint32_t Air::put(VkCommandBuffer commands, HostBlocks& blocks, std::span<const std::byte> bytes) {
+    if (const auto at = blocks.put(bytes))
+        return *at;
+    barrier(k_compute | k_transfer, k_transfer);
+    write(commands, blocks.buffer(), bytes, blocks.last());
+    barrier(k_transfer, k_compute | k_transfer);
+    return blocks.last();
+}
+
+void Air::put_step(VkCommandBuffer commands) {
+    step_put_ = true;
+    blocks_.step = put(commands, fields_.step, step_block_);
 }
 
 } // namespace windrow::vulkan

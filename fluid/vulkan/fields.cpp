@@ -7,6 +7,12 @@
 #include <string>
 
 namespace windrow::vulkan {
+namespace {
+
+constexpr VkDeviceSize k_step_blocks = 16;  // of a slot: some ticks, and changes between them
+constexpr VkDeviceSize k_motors_area = 128; // of a slot
+
+} // namespace
 
 Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     Fields fields;
@@ -30,12 +36,24 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     const auto axes = static_cast<VkDeviceSize>(sizes.cells.x + sizes.cells.y + sizes.cells.z + 3 * WINDROW_HALO);
 
     const auto padded_rows = [](glm::ivec3 size) { return static_cast<VkDeviceSize>(size.y + WINDROW_HALO); };
-    make(fields.step, "step", sizeof(WindrowStep) + (sizes.rows ? padded_rows(sizes.cells) * sizeof(WindrowRow) : 0));
+    const auto make_blocks = [&](HostBlocks& blocks, const char* name, VkDeviceSize area, VkDeviceSize block) {
+        if (!made_all)
+            return;
+        auto made = HostBlocks::create(device, sizes.slots, area, block);
+        if (!made) {
+            made_all = made.failure().after(detail::message("The blocks of the ", name, " were not made: "));
+            return;
+        }
+        blocks = *std::move(made);
+        device.name(VK_OBJECT_TYPE_BUFFER, blocks.buffer().handle(), name);
+    };
+    const VkDeviceSize step = sizeof(WindrowStep) + (sizes.rows ? padded_rows(sizes.cells) * sizeof(WindrowRow) : 0);
+    make_blocks(fields.step, "step", k_step_blocks * step, step);
     make(fields.control, "control", sizeof(WindrowControl));
     make(fields.shapes, "shapes", 4 * (1 + 3 * k_max_stages));
     make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand));
     make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // boundary rules of viscosity and of transport
-    make(fields.motors, "motors", k_max_motors * sizeof(WindrowMotor));
+    make_blocks(fields.motors, "motors", k_motors_area * sizeof(WindrowMotor), k_max_motors * sizeof(WindrowMotor));
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
     // Motors' eddies are read from it too.
     make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4), MemoryUse::shared);
@@ -50,6 +68,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.padded, "padded", (sizes.gusts ? 3 : 2) * padded * sizeof(vec4));
     make(fields.expansion, "expansion", cells * sizeof(float));
     make(fields.hat, "hat", cells * sizeof(float));
+    make(fields.hat_x, "hat_x", sizes.slabs ? cells * sizeof(float) : sizeof(vec4));
     make(fields.potential, "potential", cells * sizeof(float));
     make(fields.sums, "sums", sizes.sums * sizeof(glm::vec2));
     make(fields.solids, "solids", sizeof(WindrowSolids) + sizeof(vec4));

@@ -5,12 +5,13 @@
 //   velocity                                                                    32 N: now and a sub-step ago
 //   history, force, drives, source_flow, arrived, diffused, before              16 N each
 //   padded                                                                      32 P, 48 P with gusts
-//   expansion, hat, potential                                                   4 N each
+//   expansion, hat, potential                                                   4 N each; hat_x too where the solve is in slabs
 //   drag                                                                        8 N, with the first deposit
 #pragma once
 
 #include "fluid/box.h"
 #include "fluid/motors.h"
+#include "fluid/vulkan/host_blocks.h"
 #include "fluid/vulkan/textures.h"
 #include "gpu/device.h"
 
@@ -32,6 +33,7 @@ struct Fields {
         bool rough = false;    ///< else `layer` is empty
         bool rows = false;     ///< of unequal thickness: their table is behind the step
         bool gusts = false;    ///< else `tile` is one
+        bool slabs = false;    ///< else `hat_x` is a stand-in
         Texel texel = Texel::half;
         TextureSet textures = TextureSet::vectors;     ///< what it has not stays empty
         std::uint32_t slots = 1;                       ///< that the host reads
@@ -41,9 +43,10 @@ struct Fields {
     };
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
-    Buffer step, control, shapes, commands, rules, motors, tables, tile;
+    HostBlocks step, motors; ///< of a tick: WindrowStep with the rows behind it; WindrowMotor
+    Buffer control, shapes, commands, rules, tables, tile;
     Buffer velocity, history, force, drives, source_flow, arrived, diffused, before;
-    Buffer padded, expansion, hat, potential, sums;
+    Buffer padded, expansion, hat, hat_x, potential, sums;
     /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
     /// and the sum of those before it, the direction.
     Buffer solids, around, correction, direction;
@@ -55,6 +58,10 @@ struct Fields {
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
     /// [0] and [1]: of this frame and of the last, in turns. Four components; x, y, z.
     Image3D vectors[2], axes[2][3];
+    /// Those whose buffer this is; null: it is another.
+    [[nodiscard]] const HostBlocks* blocks_of(const Buffer* buffer) const {
+        return buffer == &step.buffer() ? &step : buffer == &motors.buffer() ? &motors : nullptr;
+    }
     /// The images of a frame that there are, at most four: the bindings of Pass::show.
     template <class Use>
     void each_image(int frame, const Use& use) const {

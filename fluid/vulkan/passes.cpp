@@ -1,6 +1,7 @@
 #include "fluid/vulkan/passes.h"
 
 #include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/work_groups.h"
 #include "gpu/pipeline.h"
 #include "shader_words/adjust.h"
 #include "shader_words/advect.h"
@@ -13,6 +14,8 @@
 #include "shader_words/level.h"
 #include "shader_words/lift.h"
 #include "shader_words/limit.h"
+#include "shader_words/lines_back.h"
+#include "shader_words/lines_forward.h"
 #include "shader_words/loads.h"
 #include "shader_words/modes_back.h"
 #include "shader_words/modes_between.h"
@@ -31,6 +34,7 @@
 #include "shader_words/read_points.h"
 #include "shader_words/report.h"
 #include "shader_words/rooms.h"
+#include "shader_words/slabs.h"
 #include "shader_words/source_flow.h"
 #include "shader_words/sources.h"
 #include "shader_words/stress.h"
@@ -46,53 +50,10 @@
 namespace windrow::vulkan {
 namespace {
 
-using Groups = Passes::Groups;
-constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has as many
-constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
-constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
 constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows, then that of reading.glsl
 constexpr std::uint32_t k_load_groups = 64;     // that take bodies or closed faces in turns
 constexpr std::uint32_t k_surface_group = 1024; // of the passes of one group over what is at obstacles, where the device has them
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
-
-std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
-    return (count + size - 1) / size;
-}
-
-// Cells of a group along each axis: long along x for memory access, but not longer than the box.
-Groups cell_group(glm::ivec3 cells) {
-    const auto x = std::min(32u, std::bit_ceil(static_cast<std::uint32_t>(cells.x)));
-    const auto y = std::min(k_cell_group / x, std::bit_ceil(static_cast<std::uint32_t>(cells.y)));
-    // 64: the guaranteed maximum of a group along z.
-    return {x, y, std::min(64u, k_cell_group / x / y)};
-}
-
-Groups groups_over(glm::ivec3 cells, const Groups& size) {
-    return {blocks(static_cast<std::uint32_t>(cells.x), size[0]), blocks(static_cast<std::uint32_t>(cells.y), size[1]),
-            blocks(static_cast<std::uint32_t>(cells.z), size[2])};
-}
-
-// Division of planes for the transforms of x and z.
-struct PlaneTiles {
-    bool whole = true;
-    std::uint32_t x = 1, z = 1;  // of a whole plane; else of the pass along x: all of x, some of z
-    std::uint32_t between_x = 1; // of the pass along z: some of x, all of z
-};
-
-// The same on all devices with work groups of k_solve_group: 16 KiB of shared memory, which each has, so that several groups run
-// on a multiprocessor at a time whatever it declares.
-PlaneTiles tiles_of(const Device& device, std::uint32_t group, glm::ivec3 cells) {
-    const auto nx = static_cast<std::uint32_t>(cells.x), nz = static_cast<std::uint32_t>(cells.z);
-    // Groups of more than half the invocations compute: 32 products each (WINDROW_TILE_HELD) hold 16 times the group.
-    const std::uint32_t most = std::min<std::uint32_t>(
-        {WINDROW_TILE_FLOATS, WINDROW_TILE_HELD / 2 * group, device.limits().maxComputeSharedMemorySize / 4});
-    PlaneTiles tiles;
-    tiles.whole = nx * nz <= most;
-    tiles.x = nx;
-    tiles.z = tiles.whole ? nz : std::clamp(most / nx, 1u, std::min(k_tile_lines, nz));
-    tiles.between_x = std::clamp(most / nz, 1u, std::min(k_tile_lines, nx));
-    return tiles;
-}
 
 struct Plan {
     Pass pass;
@@ -106,9 +67,9 @@ struct Plan {
 
 // Fields of cells alone; see Passes::bytes.
 std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_bytes) {
-    const std::initializer_list<const Buffer*> in_caches = {&f.step,       &f.control,   &f.shapes, &f.commands, &f.rules,
-                                                            &f.motors,     &f.tables,    &f.tile,   &f.solids,   &f.around,
-                                                            &f.correction, &f.direction, &f.drag};
+    const std::initializer_list<const Buffer*> in_caches = {
+        &f.step.buffer(), &f.motors.buffer(), &f.control, &f.shapes,     &f.commands,  &f.rules, &f.tables,
+        &f.tile,          &f.solids,          &f.around,  &f.correction, &f.direction, &f.drag};
     const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
     std::uint64_t bytes = image_bytes;
     for (std::size_t n = 0; n < plan.buffers.size(); ++n)
@@ -146,12 +107,40 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 } // namespace
 
 const char* name_of(Pass pass) {
-    constexpr std::array<const char*, k_passes> names = {
-        "place",           "sources",         "source_flow",  "adjust",     "plan",     "limit",   "diffuse",
-        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_one_sided",
-        "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "level",
-        "gradient",        "rooms",           "uncover",      "terms",      "loads",    "lift",    "show",
-        "report",          "read_cells",      "read_points"};
+    constexpr std::array<const char*, k_passes> names = {"place",
+                                                         "sources",
+                                                         "source_flow",
+                                                         "adjust",
+                                                         "plan",
+                                                         "limit",
+                                                         "diffuse",
+                                                         "diffuse_forward",
+                                                         "diffuse_columns",
+                                                         "diffuse_back",
+                                                         "stress",
+                                                         "pad",
+                                                         "advect",
+                                                         "advect_one_sided",
+                                                         "modes_forward",
+                                                         "modes_between",
+                                                         "columns",
+                                                         "modes_back",
+                                                         "lines_forward",
+                                                         "slabs",
+                                                         "lines_back",
+                                                         "residual",
+                                                         "surface",
+                                                         "level",
+                                                         "gradient",
+                                                         "rooms",
+                                                         "uncover",
+                                                         "terms",
+                                                         "loads",
+                                                         "lift",
+                                                         "show",
+                                                         "report",
+                                                         "read_cells",
+                                                         "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -164,8 +153,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const glm::ivec3 cells = settings.cells;
     const Groups cell = cell_group(cells), over_cells = groups_over(cells, cell);
     const Groups over_padded = groups_over(cells + WINDROW_HALO, cell);
-    const std::uint32_t solve =
-        std::min({k_solve_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]});
+    const std::uint32_t solve = solve_group(device);
     const PlaneTiles tiles = tiles_of(device, solve, cells);
     const auto nx = static_cast<std::uint32_t>(cells.x), ny = static_cast<std::uint32_t>(cells.y),
                nz = static_cast<std::uint32_t>(cells.z);
@@ -175,6 +163,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const auto of = [](const auto&... buffer) { return std::vector<const Buffer*>{&buffer...}; };
     const Fields& f = fields;
     namespace words = shader_words;
+
+    const Buffer &step = f.step.buffer(), &motors = f.motors.buffer();
 
     const std::vector<std::uint32_t> both_axes = {tiles.x, tiles.z, yes(true), yes(tiles.whole)};
     const std::vector<std::uint32_t> second_axis = {tiles.between_x, nz, yes(false), yes(true)};
@@ -190,76 +180,91 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const auto a_cell = over(cell, over_cells), a_padded_cell = over(cell, over_padded), a_column = over(lines, over_columns);
     const auto a_plane = over(line, over_tiles, both_axes, 4 * tiles.x * tiles.z),
                a_half_plane = over(line, over_between, second_axis, 4 * tiles.between_x * nz);
-    a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.velocity, f.history, f.source_flow, f.before, f.tile));
+    a_cell(Pass::place, words::place, of(step, f.control, f.arrived, f.velocity, f.history, f.source_flow, f.before, f.tile));
     a_cell(Pass::sources, words::sources,
-           of(f.step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, f.motors, f.tile,
+           of(step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, motors, f.tile,
               f.solids, f.drag));
     a_cell(Pass::source_flow, words::source_flow,
-           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, f.motors, f.correction, f.direction,
+           of(step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, motors, f.correction, f.direction,
               f.solids, f.around));
-    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.before, f.tile, f.solids));
-    over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
-    a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow, f.drives));
+    a_cell(Pass::adjust, words::adjust, of(step, f.control, f.velocity, f.before, f.tile, f.solids));
+    over(lines, {1, 1, 1})(Pass::plan, words::plan, of(step, f.control, f.shapes, f.commands));
+    a_cell(Pass::limit, words::limit, of(step, f.control, f.velocity, f.source_flow, f.drives));
     a_cell(Pass::diffuse, words::diffuse,
-           of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile, f.solids));
-    a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
-    a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
-    a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
+           of(step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile, f.solids));
+    a_plane(Pass::diffuse_forward, words::diffuse_forward, of(step, f.control, f.tables, f.diffused, f.rules, f.hat));
+    a_column(Pass::diffuse_columns, words::diffuse_columns, of(step, f.control, f.tables, f.hat, f.potential, f.arrived));
+    a_plane(Pass::diffuse_back, words::diffuse_back, of(step, f.control, f.tables, f.hat, f.diffused));
     if (settings.rough)
         a_column(Pass::stress, words::stress,
-                 of(f.step, f.control, f.velocity, f.force, f.source_flow, f.layer, f.diffused, f.tile, f.solids));
+                 of(step, f.control, f.velocity, f.force, f.source_flow, f.layer, f.diffused, f.tile, f.solids));
     a_padded_cell(Pass::pad, words::pad,
-                  of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
+                  of(step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
                      f.tile, f.solids, f.drag));
     for (const bool one_sided : settings.obstacles ? std::vector{false, true} : std::vector{false})
         over(cell, over_cells, {yes(one_sided)})(one_sided ? Pass::advect_one_sided : Pass::advect, words::advect,
-                                                 of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
+                                                 of(step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
                                                     f.source_flow, f.arrived, f.tile, f.solids, f.drag));
     a_plane(Pass::modes_forward, words::modes_forward,
-            of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors, f.solids, f.around, f.tile));
-    a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
-    a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
+            of(step, f.control, f.tables, f.arrived, f.expansion, f.hat, motors, f.solids, f.around, f.tile));
+    a_half_plane(Pass::modes_between, words::modes_between, of(step, f.control, f.tables, f.hat));
+    a_column(Pass::columns, words::columns, of(step, f.control, f.tables, f.hat));
     a_plane(Pass::modes_back, words::modes_back,
-            of(f.step, f.control, f.tables, f.hat, f.potential, f.correction, f.direction, f.around));
+            of(step, f.control, f.tables, f.hat, f.potential, f.correction, f.direction, f.around));
+    if (fits_in_slabs(device, cells)) {
+        const SlabGroups slab = slab_groups(cells);
+        const auto over_lines = [&](std::uint32_t count, std::uint32_t each) {
+            return over({slab.of_lines, 1, 1}, {blocks(count, each), ny, 1},
+                        {nx, slab.lines, slab.lines_each, slab.lines * nx / 4}, 4 * slab.lines * nx);
+        };
+        over_lines(nz, slab.lines)(
+            Pass::lines_forward, words::lines_forward,
+            of(step, f.control, f.tables, f.arrived, f.expansion, f.hat_x, motors, f.solids, f.around, f.tile));
+        over({slab.of_slab, 1, 1}, {nx, 2, 1}, {nz / 2, ny, slab.slab_each, ny * nz / 8},
+             2 * ny * nz)(Pass::slabs, words::slabs, of(step, f.control, f.tables, f.hat_x, f.hat));
+        over_lines(nz / 2,
+                   slab.lines / 2)(Pass::lines_back, words::lines_back,
+                                   of(step, f.control, f.tables, f.hat, f.potential, f.correction, f.direction, f.around));
+    }
     if (settings.obstacles) {
         const std::uint32_t most = std::bit_floor(std::min(
             {k_surface_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]}));
-        const auto at_surface = of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction, f.direction,
-                                   f.around, f.motors, f.tile);
+        const auto at_surface = of(step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction, f.direction,
+                                   f.around, motors, f.tile);
         over(line, {WINDROW_RESIDUAL_GROUPS, 1, 1}, {solve})(Pass::residual, words::surface, at_surface);
         over({most, 1, 1}, {1, 1, 1}, {most})(Pass::surface, words::surface, at_surface);
         over(line, {1, 1, 1}, {solve})(Pass::level, words::level,
-                                       of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
+                                       of(step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
         over(line, {1, 1, 1},
              {solve})(Pass::rooms, words::rooms,
-                      of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
-        a_cell(Pass::uncover, words::uncover, of(f.step, f.control, f.solids, f.velocity, f.history));
-        over(lines, {k_load_groups, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
+                      of(step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
+        a_cell(Pass::uncover, words::uncover, of(step, f.control, f.solids, f.velocity, f.history));
+        over(lines, {k_load_groups, 1, 1})(Pass::terms, words::terms, of(step, f.control, f.solids, f.around));
         over(lines, {k_load_groups, 1, 1}, {lines[0]})(
-            Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
+            Pass::loads, words::loads, of(step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
     }
     if (settings.rows)
-        a_cell(Pass::lift, words::lift, of(f.step, f.control, f.velocity, f.history, f.source_flow, f.before, f.arrived, f.tile));
+        a_cell(Pass::lift, words::lift, of(step, f.control, f.velocity, f.history, f.source_flow, f.before, f.arrived, f.tile));
     a_cell(Pass::gradient, words::gradient,
-           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
-              f.solids, f.around));
+           of(step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
+              f.solids, f.around, f.before));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
         Pass::show, show_code(settings),
-        of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids, f.reading));
+        of(step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids, f.reading));
     const auto to_host = [&] { plans.back().to_host = true; };
-    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.around, f.solids, f.slots[0]));
+    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(step, f.control, f.sums, f.around, f.solids, f.slots[0]));
     to_host();
     if (settings.read_cells.x > 0) {
         const Groups part = cell_group(settings.read_cells);
         const auto read = settings.read_halves ? std::span<const std::uint32_t>(words::read_halves) : words::read_floats;
         over(part, groups_over(settings.read_cells, part))(Pass::read_cells, read,
-                                                           of(f.step, f.control, f.velocity, f.before, f.slots[0]));
+                                                           of(step, f.control, f.velocity, f.before, f.slots[0]));
         to_host();
     }
     if (f.points.bytes() > 0) {
         const auto points = static_cast<std::uint32_t>(f.points.bytes() / sizeof(WindrowPoint));
-        over(lines, {blocks(points, lines[0]), 1, 1})(
-            Pass::read_points, words::read_points, of(f.step, f.control, f.velocity, f.before, f.points, f.reading, f.slots[0]));
+        over(lines, {blocks(points, lines[0]), 1, 1})(Pass::read_points, words::read_points,
+                                                      of(step, f.control, f.velocity, f.before, f.points, f.reading, f.slots[0]));
         to_host();
     }
 
@@ -272,7 +277,10 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                 {.groups = plan.groups, .local_size = plan.local, .shared_bytes = plan.shared_bytes, .name = name_of(plan.pass)});
             !fits)
             return fits.failure();
-        std::vector<VkDescriptorType> kinds(plan.buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+        std::vector<VkDescriptorType> kinds;
+        for (const Buffer* buffer : plan.buffers)
+            kinds.push_back(fields.blocks_of(buffer) != nullptr ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC
+                                                                : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
         const bool shows = plan.pass == Pass::show;
         if (shows)
             fields.each_image(0, [&](const Image3D&) { kinds.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE); });
@@ -292,6 +300,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         passes.pipelines_[n] = *std::move(pipeline);
         passes.groups_[n] = plan.groups;
         passes.bytes_[n] = bytes_of(plan, fields, shows ? texel_bytes(settings) : 0);
+        passes.binds_motors_[n] = std::ranges::count(plan.buffers, &motors) > 0;
         passes.bound_.push_back({plan.pass, plan.buffers, plan.to_host});
     }
     auto sets = passes.sets_of(device, fields);
@@ -313,8 +322,13 @@ Result<Sets> Passes::sets_of(Device& device, const Fields& fields) {
         const std::size_t sets = bound.to_host ? fields.slots.size() : shows ? 2 : 1;
         for (std::size_t one = 0; one < sets; ++one) {
             Sets::Content content{.layout = pipelines_[n].get(), .bindings = {}};
-            for (const Buffer* buffer : bound.buffers)
+            for (const Buffer* buffer : bound.buffers) {
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
+                if (const HostBlocks* const blocks = fields.blocks_of(buffer)) {
+                    content.bindings.back().type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC;
+                    content.bindings.back().bytes = blocks->block();
+                }
+            }
             if (bound.to_host)
                 content.bindings.back().buffer = fields.slots[one].handle();
             if (shows)
@@ -338,6 +352,9 @@ void Passes::set_tables(const SolveTables& tables) {
     pressure_ = tables.pressure;
     pressure_columns_ =
         WindrowColumnsPush{.substep = 0, .pivots = tables.pivots, .vectors = tables.vectors, .singular = tables.singular};
+    in_slabs_ = tables.slabs;
+    pressure_slabs_ = WindrowSlabsPush{
+        .substep = 0, .forward = tables.pressure.z_forward, .back = tables.pressure.z_back, .pivots = tables.pivots};
     for (std::size_t n = 0; n < 3; ++n) {
         diffusion_[n] = tables.diffusion[n];
         diffusion_columns_[n] = WindrowDiffusePush{.substep = 0, .eigenvalues = tables.diffusion_columns[n]};
@@ -364,6 +381,11 @@ void Passes::add_solve(std::vector<Stage>& stages, const Solve& solve, const Sol
                                                  .forward = forward ? 1 : 0,
                                                  .solve = solve.number}});
     };
+    if (in_slabs_ && solve.forward == Pass::modes_forward) {
+        plane(Pass::lines_forward, true);
+        stages.push_back({Pass::slabs, pressure_slabs_});
+        return plane(Pass::lines_back, false);
+    }
     plane(solve.forward, true);
     if (!whole_planes_)
         plane(Pass::modes_between, true);
@@ -433,7 +455,9 @@ std::span<const std::uint32_t> Passes::shapes(std::span<const Stage> substep) {
 void Passes::bind(VkCommandBuffer commands, Pass pass, const Push& push, int set_number) const {
     const auto n = static_cast<std::size_t>(pass);
     const Pipeline& pipeline = *pipelines_[n];
-    pipeline.bind(*functions_, commands, sets_.at(first_set_[n] + static_cast<std::size_t>(set_number)));
+    const std::array<std::uint32_t, 2> offsets{blocks_.step, blocks_.motors};
+    pipeline.bind(*functions_, commands, sets_.at(first_set_[n] + static_cast<std::size_t>(set_number)),
+                  std::span(offsets).first(binds_motors_[n] ? 2 : 1));
     functions_->vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(Push), &push);
 }
 

@@ -37,6 +37,9 @@ enum class Pass : std::uint8_t {
     modes_between,    ///< ... the second axis where a plane does not fit in shared memory, ...
     columns,          ///< ... the systems along y, ...
     modes_back,       ///< ... and back to cells
+    lines_forward,    ///< the same where lines and slabs fit in shared memory: to modes of x, ...
+    slabs,            ///< ... z, y and z back at once, ...
+    lines_back,       ///< ... and back to cells
     residual,         ///< what the first direct solve leaves around obstacles, ...
     surface,          ///< ... and how far to go along a further one
     level,            ///< ... and, last, the pressure in sealed air relative to none
@@ -101,6 +104,9 @@ class Passes {
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.
     void set_tables(const SolveTables& tables);
+    /// Whether the direct solve of such a box can run in slabs: x and z of a multiple of 8 cells, of which a line and half a slab of
+    /// constant x fit in 16 KiB of shared memory. Where ends are unlike, the planes' passes run all the same.
+    [[nodiscard]] static bool fits_in_slabs(const Device& device, glm::ivec3 cells);
     /// Number of work groups of cells: the entries of Fields::sums.
     [[nodiscard]] static std::uint32_t sums(const Device& device, glm::ivec3 cells);
     /// Most dispatches that the plan commands in a tick of `substeps`: those of all but the first.
@@ -138,6 +144,11 @@ class Passes {
     /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each. Good until the next call.
     [[nodiscard]] std::span<const std::uint32_t> shapes(std::span<const Stage> substep);
 
+    /// Offsets of the blocks in Fields::step and Fields::motors that the passes recorded from now on read.
+    struct Blocks {
+        std::uint32_t step = 0, motors = 0;
+    };
+    void use(const Blocks& blocks) { blocks_ = blocks; }
     /// Records a pass; barriers are the caller's. `set`: of textures, 0 or 1, for Pass::show; entry of Fields::slots for
     /// the passes that the host reads.
     void record(VkCommandBuffer commands, Pass pass, const Push& push, int set = 0) const;
@@ -174,12 +185,14 @@ class Passes {
     std::array<std::size_t, k_passes> first_set_{};
     std::array<Groups, k_passes> groups_{};
     std::array<std::uint64_t, k_passes> bytes_{};
+    std::array<bool, k_passes> binds_motors_{};
+    Blocks blocks_;
     Sets sets_;
     Settings settings_;
-    bool whole_planes_ = true;
+    bool whole_planes_ = true, in_slabs_ = false;
     std::vector<Bound> bound_;
     SolveTables::Vectors pressure_, diffusion_[3];
-    Push pressure_columns_, diffusion_columns_[3];
+    Push pressure_columns_, pressure_slabs_, diffusion_columns_[3];
     std::vector<Stage> substeps_[3], source_solve_, around_; ///< without obstacles; scratch for those around them
     std::vector<std::uint32_t> shapes_;                      ///< scratch
 };

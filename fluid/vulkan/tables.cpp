@@ -44,7 +44,7 @@ std::size_t SolveTables::max_floats(glm::ivec3 cells, bool diffusion) {
     return vectors + (2 * y + 2) * x * z + (diffusion ? 3 * (vectors + x + z + 3) : 0);
 }
 
-SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& law) {
+SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& law, bool in_slabs) {
     const AxisBasis x(cells.x, ends[0][0], ends[0][1]), z(cells.z, ends[2][0], ends[2][1]);
     pressure = append_both(x, z, values);
     const bool cyclic = is_cyclic(ends[1], cells.y);
@@ -54,6 +54,8 @@ SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& l
             closed = closed && (end == EndRule::even_at_face || end == EndRule::periodic);
     if (closed)
         singular = z.zero_mode * cells.x + x.zero_mode;
+
+    slabs = in_slabs && 2 * x.even_size == cells.x && 2 * z.even_size == cells.z && !cyclic && !closed;
 
     const auto rows = static_cast<std::size_t>(cells.y),
                plane = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.z);
@@ -69,8 +71,9 @@ SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& l
                 continue;
             std::array<double, 2> factors{};
             factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], law, pivot, vector, factors);
+            const std::size_t in_slab = static_cast<std::size_t>(mode_x) * rows * cells.z + mode_z;
             for (std::size_t j = 0; j < rows; ++j)
-                values[pivots + j * plane + column] = static_cast<float>(pivot[j]);
+                values[pivots + (slabs ? in_slab + j * cells.z : j * plane + column)] = static_cast<float>(pivot[j]);
             for (std::size_t j = 0; cyclic && j < rows; ++j)
                 values[vectors + j * plane + column] = static_cast<float>(vector[j]);
             for (std::size_t n = 0; cyclic && n < 2; ++n)

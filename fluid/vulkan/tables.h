@@ -14,8 +14,8 @@ struct SolveTables {
     using Ends = std::array<std::array<EndRule, 2>, 3>;
 
     /// L phi = rhs with the ends given; L is the 7-point Laplacian of a box of `cells`.
-    /// `rows`: empty where all are equal.
-    SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& rows = {});
+    /// `rows`: empty where all are equal. `in_slabs`: the passes may solve in slabs, where the ends allow it.
+    SolveTables(glm::ivec3 cells, const Ends& ends, const ColumnRows& rows = {}, bool in_slabs = false);
 
     std::vector<float> values;
     /// Floats that any mix of sides takes, with and without diffusion.
@@ -30,7 +30,8 @@ struct SolveTables {
     };
     Vectors pressure, diffusion[3];
     int diffusion_columns[3] = {}; ///< eigenvalues of x, of z, what both ends of y add, 1 where y is periodic
-    int pivots = 0;                ///< [y][mode of z][mode of x]
+    bool slabs = false;            ///< the passes solve in slabs: both ends of x are alike, and of z, and no column is special
+    int pivots = 0;                ///< [y][mode of z][mode of x]; for slabs [mode of x][y][mode of z]
     int vectors = -1;              ///< the same, of periodic columns; then [2][mode of z][mode of x], their factors; -1: none
     int singular = -1;             ///< [mode of z][mode of x] of the column without an inverse; -1: all have one
 };

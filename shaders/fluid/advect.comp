@@ -114,9 +114,9 @@ vec3 prescribed_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) 
     const vec3 departed = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
     if (k_own_rows)
         v.y *= row_scale(cell.y);
-    from = first + locate(cell, displacement + (control.substep_duration / tick.cell_size) * v, s, false, t);
+    from = first + locate(cell, displacement + (WINDROW_OF_PLAN.substep_duration / tick.cell_size) * v, s, false, t);
     const vec3 own = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
-    const vec3 end = wind_at(cell, elapsed() + control.substep_duration, true);
+    const vec3 end = wind_at(cell, elapsed() + WINDROW_OF_PLAN.substep_duration, true);
     return departed - lerp(end, own, gusts / (gusts + square));
 }
 
@@ -136,7 +136,7 @@ vec3 held(vec3 w, ivec3 cell, int at) {
     const WindrowHold hold = hold_of(cell, at);
     if (!(hold.drives.w > 0.0f || hold.way > 0.0f))
         return w;
-    const vec3 prescribed = prescribed_part(cell, at, elapsed() + control.substep_duration);
+    const vec3 prescribed = prescribed_part(cell, at, elapsed() + WINDROW_OF_PLAN.substep_duration);
     const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history_of(cell, at);
     return windrow_held_arriving(w + prescribed, pressure, hold) - prescribed;
 }
@@ -146,7 +146,7 @@ vec3 velocity_of(ivec3 cell) {
     const int at = cell_index(cell);
     vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
-        u += control.substep_duration * force[at].xyz;
+        u += WINDROW_OF_PLAN.substep_duration * force[at].xyz;
     return u;
 }
 
@@ -165,9 +165,13 @@ void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells))
         return;
+    if (cell == ivec3(0) && push.substep == 0) { // what is found from here on is of the next tick
+        control.fastest_component = control.largest_force = control.nonfinite_cells = control.fastest_in_rows = 0u;
+        control.left_fastest = control.left_in_rows = 0u;
+    }
     const int at = cell_index(cell);
     const ivec3 stride = strides();
-    const float dt = control.substep_duration;
+    const float dt = WINDROW_OF_PLAN.substep_duration;
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
     float lee = 0.0f;

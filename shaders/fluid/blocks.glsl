@@ -34,6 +34,9 @@
 #define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
 #define WINDROW_ROUGH 2097152       // the ground is rough
 #define WINDROW_DRAG 4194304        // deposits of drag are in the box
+#define WINDROW_FIRST_TICK 16777216 // of its recording
+#define WINDROW_COUNTED 67108864    // the last pass of the tick before has found what `sources` else does, which is left out
+#define WINDROW_PLANS 33554432      // one sub-step is recorded: the first pass over cells derives the plan, no pass makes it
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {
@@ -78,14 +81,8 @@ struct WindrowRow {
     float column; // factor on its unknown in a column's system; of the first: square of the cell size over the least distance
 };
 
-// Between the passes of a tick. Lives on the device; the sub-step's durations are kept from tick to tick.
-struct WindrowControl {
-    // Found by the passes over cells, from 0 in each tick. Speeds are the bits of floats, for atomicMax.
-    uint fastest_component; // [m/s] of the velocity
-    uint largest_force;     // [m/s^2] component
-    uint nonfinite_cells;   // repaired
-    uint fastest_in_rows;   // as fastest_component, with what moves along y in rows; 0 where all are equal
-    // Of the plan.
+// Of a tick (planning.glsl). Speeds that are found are the bits of floats, for atomicMax.
+struct WindrowPlan {
     float substep_duration;  // [s]
     float previous_duration; // [s] of the last tick's sub-steps
     float max_speed;         // [m/s] that a component may be
@@ -97,13 +94,35 @@ struct WindrowControl {
     float carried_time;    // [s] by which the air is behind the tick's end: later ticks make up for it
     float begin;           // [s] of the first sub-step, from the tick's start: 0, or less where time was carried over
     int capped;            // 1: more sub-steps were wanted than allowed
-    int unused_a, unused_b;
-    float diffused_time[64]; // [s] for which each sub-step diffuses; 0: left for later
+    // What it was made from.
+    uint fastest_component; // [m/s] of the velocity
+    uint fastest_in_rows;   // the same with what moves along y in rows; 0 where all are equal
+    uint largest_force;     // [m/s^2] component
+    uint nonfinite_cells;   // repaired
+    uint unused_a, unused_b;
+};
+
+// Between the passes of a tick, on the device.
+struct WindrowControl {
+    // Found by the passes over cells before the plan, as there. `advect` clears them for the next tick.
+    uint fastest_component;
+    uint largest_force;
+    uint nonfinite_cells;
+    uint fastest_in_rows;
+    // The same, by the last pass of the tick before.
+    uint left_fastest, left_in_rows;
+    uint unused_a, unused_b;
+    WindrowPlan plan; // of this tick, or of the last one until there is one
+    // Of the last tick's plan, kept by its last pass: invocations make the next one from these while one replaces it.
+    float last_duration;
+    int next_slot;
+    float last_undiffused, behind;
     // Reported.
     uint largest_speed;         // [m/s] bits of the largest component after the tick
     uint farthest_from_ambient; // [m/s] bits of the largest difference in a component
     uint repaired_cells;        // of all ticks of the recording
     uint limited_cells;         // as these
+    float diffused_time[64];    // [s] for which each sub-step diffuses; 0: left for later
 };
 
 // What the host reads of the last tick of a recording: 48 bytes.
@@ -287,7 +306,15 @@ struct WindrowColumnsPush {
     int singular; // the column without an inverse; -1: none
 };
 
-// The same of diffusion.
+// A direct solve in slabs: where the eigenvectors of z begin in the tables, and the pivots.
+struct WindrowSlabsPush {
+    int substep;
+    int forward;
+    int back;
+    int pivots; // [mode of x][y][mode of z]
+};
+
+// The same as WindrowColumnsPush of diffusion.
 struct WindrowDiffusePush {
     int substep;
     int eigenvalues; // of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is periodic

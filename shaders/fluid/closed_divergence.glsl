@@ -16,7 +16,7 @@ float closed_divergence(int record, ivec3 cell, float empty) {
             const int end = 1 - side; // of this cell
             float both = arrived[cell_index(low)][axis] + arrived[cell_index(high)][axis], past = 0.0f;
             if (is_on(WINDROW_GUSTS)) {
-                const float time = elapsed() + control.substep_duration;
+                const float time = elapsed() + WINDROW_OF_PLAN.substep_duration;
                 const vec2 wind = vec2(wind_at(low, time, true)[axis], wind_at(high, time, true)[axis]);
                 both += wind[0] + wind[1];
                 if (face_end_is_sheltered(face, end))

@@ -2,7 +2,8 @@
 //
 //   u' = w - grad phi + background wind, in the slot of u_old,   q' by history.glsl
 //
-// and a rehearsal: u_old = 2 u - u'.
+// and a rehearsal: u_old = 2 u - u'. That of a tick's last sub-step also guards u' and finds the largest speed, for a next tick that
+// begins without `sources`; its first one then keeps the air before it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7
@@ -15,6 +16,7 @@ layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 4) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 5) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 6) buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 12) writeonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Correction { float correction[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction[]; };
 #define WINDROW_SOLIDS 10
@@ -23,6 +25,10 @@ layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction
 #define WINDROW_AROUND_ACCESS
 #include "fluid/around.glsl"
 #include "fluid/closed_slope.glsl"
+#include "fluid/guard.glsl"
+
+shared uint group_largest;
+shared uint group_in_rows;
 
 // The history of B phi at closed faces, as that of the gradient: each face by its low cell.
 void keep_terms(int record, vec3 above, float weight, float kept) {
@@ -35,11 +41,12 @@ void keep_terms(int record, vec3 above, float weight, float kept) {
     }
 }
 
-void main() {
-    const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells))
-        return;
+bool is_last() { return !is_fresh() && push.substep + 1 == WINDROW_OF_PLAN.substeps; }
+
+void step_cell(ivec3 cell) {
     const int at = cell_index(cell);
+    if (is_on(WINDROW_COUNTED) && is_on(WINDROW_KEEPS) && push.substep == 0)
+        before[at] = velocity[now(at)];
     vec3 slope = vec3(0.0f);
     if (is_on(WINDROW_PROJECTS))
         for (int axis = 0; axis < 3; ++axis) {
@@ -76,7 +83,7 @@ void main() {
         if (is_on(WINDROW_HAS_SOURCE_FLOW))
             u += source_flow[at].xyz;
     } else if (is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED)) {
-        u += wind_at(cell, elapsed() + control.substep_duration, true);
+        u += wind_at(cell, elapsed() + WINDROW_OF_PLAN.substep_duration, true);
     }
     if (is_fresh()) {
         if (record_is(record, WINDROW_INSIDE)) // deeper than a read's ghosts: the body's own, in both, as on the CPU
@@ -85,7 +92,7 @@ void main() {
         return;
     }
     // What forces and pressure made of it since is cut too (limit.comp).
-    if (is_on(WINDROW_ADVECTS) && push.substep + 1 == control.substeps) {
+    if (is_on(WINDROW_ADVECTS) && is_last()) {
         const float most = windrow_fastest_carried(tick.max_cfl, tick.max_substeps, tick.cell_size, tick.duration),
                     largest = largest_component(u);
         if (largest > windrow_speed_rounding * most) {
@@ -99,4 +106,35 @@ void main() {
     velocity[ago(at)] = vec4(u, lee); // which the next sub-step begins with
     if (record_is(record, WINDROW_INSIDE) && !is_on(WINDROW_STABLE_FLUIDS))
         velocity[now(at)] = vec4(u, 0.0f);
+    if (!is_last())
+        return;
+    if (broken(vec4(u, lee))) {
+        repair(cell, at, elapsed() + WINDROW_OF_PLAN.substep_duration);
+        u = velocity[ago(at)].xyz;
+    }
+    atomicMax(group_largest, floatBitsToUint(largest_component(u)));
+    if (k_own_rows)
+        atomicMax(group_in_rows, floatBitsToUint(largest_component(in_rows(u, cell.y))));
+}
+
+void main() {
+    const ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (gl_LocalInvocationIndex == 0)
+        group_largest = group_in_rows = 0;
+    barrier();
+    if (inside(cell, tick.cells))
+        step_cell(cell);
+    barrier();
+    if (cell == ivec3(0) && is_last()) {
+        control.last_duration = WINDROW_OF_PLAN.substep_duration;
+        control.next_slot = (WINDROW_OF_PLAN.first_slot + WINDROW_OF_PLAN.substeps) & 1;
+        control.last_undiffused = WINDROW_OF_PLAN.undiffused_time;
+        control.behind = WINDROW_OF_PLAN.carried_time;
+        control.largest_speed = control.farthest_from_ambient = 0u; // show finds them
+    }
+    if (gl_LocalInvocationIndex == 0 && is_last()) {
+        atomicMax(control.left_fastest, group_largest);
+        if (k_own_rows)
+            atomicMax(control.left_in_rows, group_in_rows);
+    }
 }

@@ -15,7 +15,7 @@ float drag_of(ivec3 cell, int at) {
 
 WindrowHold hold_of(ivec3 cell, int at) {
     WindrowHold hold;
-    hold.drives = is_on(WINDROW_DRIVES) ? (control.substep_duration / tick.duration) * drives[at] : vec4(0.0f);
-    hold.way = (0.5f * control.substep_duration) * drag_of(cell, at);
+    hold.drives = is_on(WINDROW_DRIVES) ? (WINDROW_OF_PLAN.substep_duration / tick.duration) * drives[at] : vec4(0.0f);
+    hold.way = (0.5f * WINDROW_OF_PLAN.substep_duration) * drag_of(cell, at);
     return hold;
 }

@@ -13,7 +13,7 @@ void main() {
     if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
-    const float most = control.max_speed;
+    const float most = WINDROW_OF_PLAN.max_speed;
     if (is_on(WINDROW_DRIVES)) {
         const vec4 drive = drives[at];
         const float wanted = largest_component(drive.xyz);

@@ -70,7 +70,7 @@ vec3 one_sided_read(WindrowSidedField field, ivec3 from, WindrowWaypoint at, boo
 vec3 one_sided_result(vec3 w, ivec3 cell, vec3 u, bool room) {
     const WindrowSidedField carried = WindrowSidedField(room, 0),
                             trace = WindrowSidedField(room, strides().z * (tick.cells.z + WINDROW_HALO));
-    const float cells_per_speed = control.substep_duration / tick.cell_size;
+    const float cells_per_speed = WINDROW_OF_PLAN.substep_duration / tick.cell_size;
     const vec3 speed = cells_per_speed * u;
     const bool cubic = !is_on(WINDROW_LINEAR), gusts = is_on(WINDROW_GUSTS);
     bool mixed = false, ignored = false;
@@ -91,10 +91,10 @@ bool is_beside_sub_grid(int byte) {
     if (!is_on(WINDROW_THIN) || (byte & (WINDROW_BYTE_INSIDE | WINDROW_BYTE_ROOM)) != 0)
         return false;
     // As far as a trajectory of 1.5 times the largest speed and a cubic read come, as Solids::reach_past_thin.
-    float fastest = uintBitsToFloat(k_own_rows ? control.fastest_in_rows : control.fastest_component);
+    float fastest = uintBitsToFloat(k_own_rows ? control.plan.fastest_in_rows : control.plan.fastest_component);
     if (push.substep <= 0)
-        fastest += tick.duration * uintBitsToFloat(control.largest_force) * (k_own_rows ? sqrt(rows[0].column) : 1.0f);
-    const float cells = 1.5f * control.substep_duration / tick.cell_size * fastest;
+        fastest += tick.duration * uintBitsToFloat(control.plan.largest_force) * (k_own_rows ? sqrt(rows[0].column) : 1.0f);
+    const float cells = 1.5f * WINDROW_OF_PLAN.substep_duration / tick.cell_size * fastest;
     const int reach = int(min(ceil(max(cells, 0.5f)), 1000.0f)) + 2;
     const int from = byte >> WINDROW_BYTE_REACH_SHIFT;
     return reach > solids.farthest ? float(reach) > solids.thinnest : from > 0 && reach >= from;

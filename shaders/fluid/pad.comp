@@ -7,7 +7,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 10
+#define WINDROW_MAY_PLAN
 #include "fluid/pass.glsl"
+#include "fluid/planning.glsl"
 #include "numerics/lee.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
@@ -41,7 +43,7 @@ float bend_of_row(int row, int first, int rows) {
 vec3 wind_of(int at) {
     vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
-        u += control.substep_duration * force[at].xyz;
+        u += WINDROW_OF_PLAN.substep_duration * force[at].xyz;
     return u;
 }
 
@@ -66,8 +68,8 @@ float lee_of(ivec3 cell) {
         low = wind_of(cell_index(under)).xz;
         bottom = row_height(under.y);
     }
-    const float per_height = top > bottom ? control.substep_duration / (top - bottom) : 0.0f;
-    return windrow_lee(lee, per_height * length(high - low), along * control.substep_duration * length(u));
+    const float per_height = top > bottom ? WINDROW_OF_PLAN.substep_duration / (top - bottom) : 0.0f;
+    return windrow_lee(lee, per_height * length(high - low), along * WINDROW_OF_PLAN.substep_duration * length(u));
 }
 
 // What the advection takes of a cell of air: carried, then its history and change at departure together, and V.
@@ -79,7 +81,7 @@ vec3 relaxed(vec3 carried, ivec3 cell, int record) {
     if (!is_on(WINDROW_RELAXES))
         return carried;
     const vec3 around = record_is(record, WINDROW_ROOM) ? vec3(0.0f) : solved_ambient(cell);
-    return around + (1.0f / (1.0f + control.substep_duration / tick.relaxation_time)) * (carried - around);
+    return around + (1.0f / (1.0f + WINDROW_OF_PLAN.substep_duration / tick.relaxation_time)) * (carried - around);
 }
 
 Departing departing(ivec3 cell, int record) {
@@ -90,14 +92,14 @@ Departing departing(ivec3 cell, int record) {
     vec3 u = velocity[now(source)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
-            u += control.substep_duration * force[source].xyz;
+            u += WINDROW_OF_PLAN.substep_duration * force[source].xyz;
     } else {
         if (!is_fresh()) {
             u += past().scale * (u - velocity[ago(source)].xyz);
             air.held -= past().scale * history[source].xyz;
         }
         if (is_on(WINDROW_PUSHES))
-            air.held += (0.5f * control.substep_duration) * force[source].xyz;
+            air.held += (0.5f * WINDROW_OF_PLAN.substep_duration) * force[source].xyz;
         if (anything_holds()) {
             const vec3 whole = relaxed(air.carried, cell, record) + prescribed_part(cell, source, elapsed());
             air.held += windrow_held_departing(whole, hold_of(cell, source)) - whole;
@@ -112,6 +114,7 @@ void main() {
     const ivec3 place = ivec3(gl_GlobalInvocationID);
     if (!inside(place, size))
         return;
+    find_plan(place == ivec3(0));
     const int at = (place.z * size.y + place.y) * size.x + place.x;
     const int trace_at = at + size.x * size.y * size.z, wind_from = trace_at + size.x * size.y * size.z;
     // Where each axis' rules begin: those of transport stand behind those of viscosity.
@@ -165,7 +168,7 @@ void main() {
     if (k_own_rows) // along it a trajectory counts rows
         u.y *= row_scale(cell.y);
     if (is_on(WINDROW_RELAXES))
-        lee *= 1.0f / (1.0f + control.substep_duration / tick.relaxation_time);
+        lee *= 1.0f / (1.0f + WINDROW_OF_PLAN.substep_duration / tick.relaxation_time);
     padded[at] = vec4(carried, lee);
     padded[trace_at] = vec4(u, 0.0f);
 }

@@ -1,5 +1,5 @@
 // Common head of the passes over cells: the blocks, and the cell of this invocation. Define WINDROW_BETWEEN_TICKS before it for a
-// pass outside of sub-steps.
+// pass outside of sub-steps, and WINDROW_MAY_PLAN for one that may be the first of a sub-step (planning.glsl).
 //
 // Set 0: binding 0 the step, binding 1 the control; a pass names the rest.
 #ifndef WINDROW_PASS_GLSL
@@ -31,6 +31,13 @@ layout(std430, set = 0, binding = 1) buffer Control { WindrowControl control; };
 layout(push_constant) uniform Push { WINDROW_PUSH push; };
 
 bool is_on(int bit) { return (tick.flags & bit) != 0; }
+
+#ifdef WINDROW_MAY_PLAN
+WindrowPlan own_plan;
+#define WINDROW_OF_PLAN own_plan
+#else
+#define WINDROW_OF_PLAN control.plan
+#endif
 
 // Passes are made anew with the first obstacle, so that without one they hold no code for them.
 layout(constant_id = 7) const bool k_obstacles = false;
@@ -92,20 +99,22 @@ int substep() { return max(push.substep, 0); }
 
 // What a sub-step takes from the one before it.
 WindrowPast past() {
-    if (is_fresh() || (push.substep == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(control.cfl, control.substeps)))
+    if (is_fresh() ||
+        (push.substep == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(WINDROW_OF_PLAN.cfl, WINDROW_OF_PLAN.substeps)))
         return windrow_past(0.0f);
-    return windrow_past(push.substep == 0 && !is_on(WINDROW_FRESH) ? control.substep_duration / control.previous_duration : 1.0f);
+    return windrow_past(
+        push.substep == 0 && !is_on(WINDROW_FRESH) ? WINDROW_OF_PLAN.substep_duration / WINDROW_OF_PLAN.previous_duration : 1.0f);
 }
 
 // [s] From the tick's start to this sub-step's.
-float elapsed() { return control.begin + float(substep()) * control.substep_duration; }
+float elapsed() { return WINDROW_OF_PLAN.begin + float(substep()) * WINDROW_OF_PLAN.substep_duration; }
 
-int slot_now() { return (control.first_slot + substep()) & 1; }
+int slot_now() { return (WINDROW_OF_PLAN.first_slot + substep()) & 1; }
 #else
 // [s] From the tick's start to the time of the air.
-float elapsed() { return -control.carried_time; }
+float elapsed() { return -WINDROW_OF_PLAN.carried_time; }
 
-int slot_now() { return (control.first_slot + control.substeps) & 1; }
+int slot_now() { return (WINDROW_OF_PLAN.first_slot + WINDROW_OF_PLAN.substeps) & 1; }
 #endif
 
 // Index of a cell's velocity, now and a sub-step ago; `at` is its cell_index.

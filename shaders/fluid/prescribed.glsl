@@ -19,7 +19,7 @@ vec3 prescribed_part(ivec3 cell, int at, float elapsed) {
 vec3 solved_part(ivec3 cell, int at) {
     vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES)) // the classic split: forces act first, and whole
-        u += control.substep_duration * force[at].xyz;
+        u += WINDROW_OF_PLAN.substep_duration * force[at].xyz;
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u -= source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS) && !is_sheltered(cell))

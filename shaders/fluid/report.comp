@@ -69,9 +69,9 @@ void main() {
         return;
     report.largest_component = uintBitsToFloat(control.largest_speed);
     report.apart = uintBitsToFloat(control.farthest_from_ambient);
-    report.cfl = control.cfl;
-    const uint carried = uint(min(ceil(1e6f * control.carried_time), 8388607.0f));
-    report.substeps = uint(control.substeps) | uint(control.capped) << 8 | carried << 9;
+    report.cfl = WINDROW_OF_PLAN.cfl;
+    const uint carried = uint(min(ceil(1e6f * WINDROW_OF_PLAN.carried_time), 8388607.0f));
+    report.substeps = uint(WINDROW_OF_PLAN.substeps) | uint(WINDROW_OF_PLAN.capped) << 8 | carried << 9;
     report.repaired_cells = control.repaired_cells;
     report.limited_cells = control.limited_cells;
     report.squares = whole(total.x, rounded.x);

@@ -24,7 +24,7 @@ layout(std430, set = 0, binding = 8) buffer Expansion { float expansion[]; };
 ivec3 room_cell(int n) { return solid_cell(solid_words[solids.room_cells + n]); }
 
 // Slot of the air before the tick's plan is made.
-int slot_before() { return (control.first_slot + control.substeps) & 1; }
+int slot_before() { return (control.plan.first_slot + control.plan.substeps) & 1; }
 int in_slot(int at, int slot) { return at + slot * tick.cells.x * tick.cells.y * tick.cells.z; }
 
 void still(int first, int end, bool came_in) {
@@ -33,7 +33,7 @@ void still(int first, int end, bool came_in) {
     if (!came_in && is_on(WINDROW_FRESH))
         for (int n = first + local; n < end; n += k_group) {
             const ivec3 cell = room_cell(n);
-            const vec3 wind = wind_at(cell, -control.carried_time, is_on(WINDROW_GUSTS));
+            const vec3 wind = wind_at(cell, -control.plan.carried_time, is_on(WINDROW_GUSTS));
             apart.x += length(velocity[in_slot(cell_index(cell), slot)].xyz - wind) > 1e-5f * length(wind) ? 1.0f : 0.0f;
         }
     if (!came_in && (!is_on(WINDROW_FRESH) || total(apart).x > 0.0f))

@@ -56,7 +56,7 @@ void main() {
         if (!is_on(WINDROW_FRESH))
             velocity[ago(at)] += change;
         if (broken(u)) {
-            repair(cell, at);
+            repair(cell, at, elapsed());
             u = velocity[now(at)];
         }
         atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));

@@ -131,7 +131,7 @@ void main() {
         float fastest = 0.0f;
         if (!is_on(WINDROW_RENEWS_SOURCE_FLOW)) { // else once their flow is in the velocity
             if (broken(u)) {
-                repair(cell, at);
+                repair(cell, at, elapsed());
                 u = velocity[now(at)];
             }
             fastest = largest_component(u.xyz);

@@ -3,7 +3,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7
+#define WINDROW_MAY_PLAN
 #include "fluid/pass.glsl"
+#include "fluid/planning.glsl"
 #include "numerics/lee.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
@@ -34,7 +36,7 @@ Row row_at(ivec3 cell) {
     const int at = cell_index(cell);
     vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
-        u += control.substep_duration * force[at].xyz;
+        u += WINDROW_OF_PLAN.substep_duration * force[at].xyz;
     vec3 v = u; // as solved_part
     if (is_on(WINDROW_DIFFUSES)) {
         v = diffused[at].xyz;
@@ -58,7 +60,7 @@ struct Face {
 };
 
 Face face_between(Row low, Row high, float passes, float wind_mixing, float wind_drag) {
-    const float below = passes > 0.0f ? 1.0f : 0.0f, factor = control.substep_duration / tick.cell_size;
+    const float below = passes > 0.0f ? 1.0f : 0.0f, factor = WINDROW_OF_PLAN.substep_duration / tick.cell_size;
     const vec2 u = high.u - below * low.u, v = high.v - below * low.v, wind = high.wind - below * low.wind;
     const float mixed = passes > 0.0f && has_lee() ? passes * windrow_lee_mixing(low.lee, high.lee) : abs(passes);
     const float k = factor * mixed * length(u);
@@ -72,6 +74,7 @@ void main() {
     const int nx = tick.cells.x, ny = tick.cells.y, column = int(gl_GlobalInvocationID.x);
     if (column >= nx * tick.cells.z)
         return;
+    find_plan(false);
     ivec3 cell = ivec3(column % nx, 0, column / nx);
     const int faces = cell.z * (ny + 1) * nx + cell.x, mixing = tick.cells.z * (ny + 1) * nx, drag = mixing + ny + 1;
     Row here = row_at(cell);

@@ -20,7 +20,7 @@ void main() {
     if (!inside(then, tick.cells) || !is_in_box(cell))
         return;
     const int record = solid_record(then);
-    const int slot = (control.first_slot + (push.substep < 0 ? control.substeps : push.substep)) & 1;
+    const int slot = (WINDROW_OF_PLAN.first_slot + (push.substep < 0 ? WINDROW_OF_PLAN.substeps : push.substep)) & 1;
     const int field = tick.cells.x * tick.cells.y * tick.cells.z;
     vec3 now_there = vec3(0.0f), ago_there = vec3(0.0f), held = vec3(0.0f);
     if (term_count(record) == 0)

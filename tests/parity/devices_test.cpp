@@ -75,7 +75,7 @@ TEST_F(AHost, BoundsSharedMemoryAndSeesPipelines) {
     const Config config{.cells = {16, 8, 16}, .max_substeps = 1};
     int dispatches[2] = {};
     for (const bool split : {false, true}) {
-        host.shared_bytes = split ? 512 : 0; // half a plane
+        host.shared_bytes = split ? 256 : 0; // half a plane, and no slab
         auto wind = Wind::create(host, config);
         ASSERT_TRUE(wind) << wind.error();
         ASSERT_TRUE(wind->motors().add(VortexMotor{}));
@@ -85,6 +85,7 @@ TEST_F(AHost, BoundsSharedMemoryAndSeesPipelines) {
     }
     EXPECT_EQ(dispatches[1], dispatches[0] + 2) << "the second axis, there and back";
     EXPECT_EQ(std::count(names.begin(), names.end(), "modes_between"), 2);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "slabs"), 1);
     EXPECT_GE(names.size(), 30u);
 }
 

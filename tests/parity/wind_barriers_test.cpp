@@ -1,10 +1,9 @@
-// Each barrier of a recording, left out once: the layer's synchronisation checks notice 219 of 305. Of the rest, by the
-// commands around them (layer 1.3.239):
-//   one half     stand between passes of a direct solve that change one buffer in place. The layer takes a buffer that a pass
-//                reads and writes as written alone, and does not speak of two such writes in a row
-//   one quarter  stand between two transfers of which the later touches nothing of the earlier
-//   one quarter  stand at the start of a command buffer, for what the host or a recording without a read-back did before, or hand
-//                the textures to the host's shaders and the read-back to the host: none of these is in this story
+// Each barrier of a recording, left out once: the layer's synchronisation checks notice 214 of 274. The rest (layer 1.3.239)
+//   stand between passes of a direct solve of viscosity that change one buffer in place. The layer takes a buffer that a pass
+//   reads and writes as written alone, and does not speak of two such writes in a row
+//   stand between two transfers of which the later touches nothing of the earlier
+//   stand at the start of a command buffer, for what the host or a recording without a read-back did before, or hand the textures
+//   to the host's shaders and the read-back to the host: none of these is in this story
 //
 // The host hands out its calls by vkGetInstanceProcAddr; ours puts its own in place of the one that records barriers.
 #include "fluid/vulkan/wind.h"

@@ -19,7 +19,7 @@ int ran_in_a_step(const vulkan::Passes& passes, Pass pass) {
     const auto stages = passes.substep(DiffusionMethod::none);
     const auto in_substep =
         std::count_if(stages.begin(), stages.end(), [&](const vulkan::Passes::Stage& stage) { return stage.pass == pass; });
-    const bool once = pass == Pass::sources || pass == Pass::plan || pass == Pass::residual || pass == Pass::show;
+    const bool once = pass == Pass::residual || pass == Pass::show;
     return static_cast<int>(in_substep) + (once ? 1 : 0);
 }
 
