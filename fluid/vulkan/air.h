@@ -1,14 +1,15 @@
 // The air on the device: the step of fluid/cpu/step.cpp as compute passes, recorded into the host's command buffer.
 //
 //   place      cells that the box exposes                            only when it moves: cells stay where they are stored
-//   sources    motors, guard, reduction: u, f, S                     once a tick
+//   sources    motors, guard, reduction: u, f, S                     once a tick, unless one without motors follows another
 //   plan       n sub-steps, from the largest speed                   once a tick, where several are recorded or viscosity acts
 //   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
 //   solve      L phi = div w: modes of x and z, columns of y, back
-//   gradient   u' = w - grad phi, q'
-//   show       textures of this frame                                once a frame
-//   report     figures of the tick to the host, and what it asked for once a frame
+//   gradient   u' = w - grad phi, q'; guard, reduction
+//   show       textures of this frame, figures of the tick to the host  once a frame
+//   report     these figures, in a frame without ticks
+//   read_...   what the host asked for                               once a frame
 //
 // The host records as many sub-steps as its bound of the speed asks for (speed_bound.h); the device chooses how many of them run,
 // and carries time over to the next tick where they are too few. Where one is recorded, no pass makes the plan: `pad` derives it.
@@ -110,7 +111,8 @@ class Air {
     void keep(VkCommandBuffer commands);
     /// Writes the textures of set `frame` (0 or 1) from the last tick's air and the kept one, `factor` of the way; ends with a
     /// barrier to all shaders that sample them. Before it, they may be in any layout; after it, SHADER_READ_ONLY_OPTIMAL.
-    void show(VkCommandBuffer commands, float factor, int frame, bool reports);
+    /// `slot`: the one that a `read_back` follows to; it takes the report with the textures.
+    void show(VkCommandBuffer commands, float factor, int frame, bool reports, std::optional<int> slot = std::nullopt);
     /// Writes the report and what is read of the last `show` into a slot, which the host reads once these commands are done.
     void read_back(VkCommandBuffer commands, const ReadRequest& request);
 
@@ -135,6 +137,8 @@ class Air {
     // --- Reading -------------------------------------------------------------------------------------------------------
     /// Bytes of a slot: the report, then what is read.
     [[nodiscard]] WINDROW_INTERNAL static VkDeviceSize slot_bytes(const Reads& reads);
+    /// Where forces begin there, in words behind the report.
+    [[nodiscard]] static int forces_at(const Reads& reads);
     [[nodiscard]] const Reads& reads() const { return settings_.reads; }
     [[nodiscard]] const Buffer& slot(int slot) const { return fields_.slots[static_cast<std::size_t>(slot)]; }
     [[nodiscard]] AirReport report(int slot) const;
@@ -358,6 +362,7 @@ class Air {
     bool cleared_ = false;
     bool stepped_ = false; ///< since `begin`
     float shown_factor_ = 1.0f;
+    int reported_slot_ = -1; ///< that the last `show` wrote the report to; -1: none
     int forced_substeps_ = 0;
     int dispatches_ = 0, barriers_ = 0, transfers_ = 0;
     VkPipelineStageFlags waits_from_ = 0, waits_to_ = 0; ///< of the barrier to come

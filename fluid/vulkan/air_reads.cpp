@@ -3,6 +3,7 @@
 #include "fluid/vulkan/air.h"
 
 #include <cstring>
+#include <utility>
 
 namespace windrow::vulkan {
 
@@ -23,15 +24,19 @@ VkDeviceSize Air::slot_bytes(const Reads& reads) {
     return sizeof(WindrowReport) + (reads.kind == ReadBack::none ? 0 : count * each) + forces_bytes(reads);
 }
 
+int Air::forces_at(const Reads& reads) {
+    return static_cast<int>((slot_bytes(reads) - forces_bytes(reads) - sizeof(WindrowReport)) / sizeof(float));
+}
+
 void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
     const ReadBack kind = settings_.reads.kind;
     order_passes();
-    const auto sums = static_cast<int>(fields_.sums.bytes() / sizeof(glm::vec2));
-    const VkDeviceSize behind = slot_bytes(settings_.reads) - forces_bytes(settings_.reads) - sizeof(WindrowReport);
-    dispatch(
-        commands, Pass::report,
-        WindrowReportPush{.sums = sums, .forces = settings_.reads.forces, .forces_at = static_cast<int>(behind / sizeof(float))},
-        request.slot);
+    if (std::exchange(reported_slot_, -1) != request.slot) {
+        const auto sums = static_cast<int>(fields_.sums.bytes() / sizeof(glm::vec2));
+        dispatch(commands, Pass::report,
+                 WindrowReportPush{.sums = sums, .forces = settings_.reads.forces, .forces_at = forces_at(settings_.reads)},
+                 request.slot);
+    }
     if (kind == ReadBack::points) {
         if (!request.points.empty()) {
             barrier(k_compute, k_compute | k_transfer);
@@ -49,12 +54,13 @@ void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
                      request.slot);
         }
     } else if (kind != ReadBack::none) {
-        barrier(k_compute, k_compute); // they write one buffer
+        order_passes(); // they write one buffer
         dispatch(commands, Pass::read_cells,
                  WindrowReadPush{.low = request.low, .factor = shown_factor_, .size = settings_.reads.cells, .unused = 0},
                  request.slot);
     }
-    barrier(k_compute, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
+    if (!ordered_) // something was written behind `show`
+        barrier(k_compute, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
 }
 
 AirReport Air::report(int slot) const {

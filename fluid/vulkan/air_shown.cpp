@@ -101,7 +101,7 @@ Result<void> Air::write_reading(VkCommandBuffer commands) {
     return {};
 }
 
-void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
+void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports, std::optional<int> slot) {
     place_exposed(commands);
     renew_reading(commands);
     std::array<VkImageMemoryBarrier, 4> all{};
@@ -124,7 +124,16 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     wait(commands, images);
     shown_factor_ = keeps_ ? 1.0f : factor;
     dispatch(commands, Pass::show,
-             WindrowShowPush{.shift = sampled_part().low, .factor = shown_factor_, .reports = reports ? 1 : 0}, frame);
+             WindrowShowPush{.shift = sampled_part().low,
+                             .factor = shown_factor_,
+                             .reports = !reports ? WINDROW_REPORTS_NOTHING
+                                        : slot   ? WINDROW_REPORTS_TO_HOST
+                                                 : WINDROW_REPORTS_SUMS,
+                             .forces = settings_.reads.forces,
+                             .forces_at = forces_at(settings_.reads)},
+             frame * settings_.reads.slots + slot.value_or(0));
+    if (reports)
+        reported_slot_ = slot.value_or(-1);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
         image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
@@ -135,11 +144,12 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                .pNext = nullptr,
                                .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
-                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT};
-    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages() | k_compute, 0, 1, &tile,
-                                              0, nullptr, static_cast<std::uint32_t>(images.size()), images.data());
+                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT};
+    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer,
+                                              device_->reader_stages() | k_compute | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &tile, 0,
+                                              nullptr, static_cast<std::uint32_t>(images.size()), images.data());
     ++barriers_;
-    ordered_ = true; // the passes to come find the sums too
+    ordered_ = true; // the host and the passes to come find the report and the sums too
 }
 
 } // namespace windrow::vulkan

@@ -157,6 +157,7 @@ void Air::begin(int slot) {
     fields_.step.begin(slot);
     fields_.motors.begin(slot);
     step_put_ = false;
+    reported_slot_ = -1;
     stepped_ = false;
     std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
     std::erase_if(retired_passes_, [&](const RetiredPasses& retired) { return retired.slot == slot; });

@@ -73,7 +73,8 @@ std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_by
     const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
     std::uint64_t bytes = image_bytes;
     for (std::size_t n = 0; n < plan.buffers.size(); ++n)
-        if (std::find(in_caches.begin(), in_caches.end(), plan.buffers[n]) == in_caches.end()) {
+        if (std::find(in_caches.begin(), in_caches.end(), plan.buffers[n]) == in_caches.end() &&
+            !(plan.pass == Pass::show && plan.buffers[n] == &f.slots[0])) { // which takes a report
             // One slot of the velocity; pad reads both.
             const std::uint64_t slots = plan.buffers[n] == &f.velocity && plan.pass != Pass::pad ? 2 : 1;
             bytes += plan.buffers[n]->bytes() / slots * (std::uint64_t{access[n].reads} + std::uint64_t{access[n].writes});
@@ -248,10 +249,11 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_cell(Pass::gradient, words::gradient,
            of(step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
               f.solids, f.around, f.before));
+    const auto to_host = [&] { plans.back().to_host = true; };
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
         Pass::show, show_code(settings),
-        of(step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids, f.reading));
-    const auto to_host = [&] { plans.back().to_host = true; };
+        of(step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids, f.reading, f.around, f.slots[0]));
+    to_host();
     over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(step, f.control, f.sums, f.around, f.solids, f.slots[0]));
     to_host();
     if (settings.read_cells.x > 0) {
@@ -319,8 +321,8 @@ Result<Sets> Passes::sets_of(Device& device, const Fields& fields) {
         const auto n = static_cast<std::size_t>(bound.pass);
         const bool shows = bound.pass == Pass::show;
         first_set_[n] = contents.size();
-        const std::size_t sets = bound.to_host ? fields.slots.size() : shows ? 2 : 1;
-        for (std::size_t one = 0; one < sets; ++one) {
+        const std::size_t slots = bound.to_host ? fields.slots.size() : 1;
+        for (std::size_t one = 0; one < slots * (shows ? 2 : 1); ++one) {
             Sets::Content content{.layout = pipelines_[n].get(), .bindings = {}};
             for (const Buffer* buffer : bound.buffers) {
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
@@ -330,9 +332,9 @@ Result<Sets> Passes::sets_of(Device& device, const Fields& fields) {
                 }
             }
             if (bound.to_host)
-                content.bindings.back().buffer = fields.slots[one].handle();
+                content.bindings.back().buffer = fields.slots[one % slots].handle();
             if (shows)
-                fields.each_image(static_cast<int>(one), [&](const Image3D& image) {
+                fields.each_image(static_cast<int>(one / slots), [&](const Image3D& image) {
                     content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
                 });
             contents.push_back(std::move(content));

@@ -149,8 +149,8 @@ class Passes {
         std::uint32_t step = 0, motors = 0;
     };
     void use(const Blocks& blocks) { blocks_ = blocks; }
-    /// Records a pass; barriers are the caller's. `set`: of textures, 0 or 1, for Pass::show; entry of Fields::slots for
-    /// the passes that the host reads.
+    /// Records a pass; barriers are the caller's. `set`: entry of Fields::slots for the passes that the host reads; for
+    /// Pass::show that, and behind all of these those of the second textures.
     void record(VkCommandBuffer commands, Pass pass, const Push& push, int set = 0) const;
     /// The same with work groups from Fields::commands, entry `n`.
     void record_indirect(VkCommandBuffer commands, Pass pass, const Push& push, std::uint32_t n) const;

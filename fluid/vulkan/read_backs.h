@@ -40,6 +40,8 @@ class ReadBacks {
     [[nodiscard]] Result<int> begin(const Air& air, int slot);
     /// True where the places are not those of the last read-back: it is due in a pause too.
     [[nodiscard]] bool asks(const Air& air, const RecordedFrame& frame, const ReadPlaces& places) const;
+    /// Entry of Fields::slots that `record` would use.
+    [[nodiscard]] int next() const { return slots_[static_cast<std::size_t>(last_)].reading; }
     void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame, const ReadPlaces& places);
     /// False where nothing waits there, or what is newer was taken already. The error: its memory could not be made visible to
     /// the host; it waits on.

@@ -40,8 +40,9 @@ Result<void> Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
 }
 
 // True where both sets are of this frame: the frame before the first is the first.
-bool Wind::State::write_textures(VkCommandBuffer commands) {
-    cells.air->show(commands, *cells.blend, textures.current, cells.air->stepped());
+bool Wind::State::write_textures(VkCommandBuffer commands, bool reads) {
+    cells.air->show(commands, *cells.blend, textures.current, cells.air->stepped(),
+                    reads ? std::optional(read_backs.next()) : std::nullopt);
     if (++textures.written != 1)
         return false;
     cells.air->show(commands, *cells.blend, textures.current ^ 1, false);
@@ -55,15 +56,13 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
     textures.current ^= 1;
     if (textures.written < 2) // the set that no frame was written to yet
         cells.blend = cells.blend.value_or(1.0f);
-    bool both = false;
-    if (cells.blend) {
-        both = write_textures(commands);
-    }
     // A pause between ticks changes nothing.
     const bool changed = cells.blend && (frame.dt > 0.0 || asked_ || !core.frames || read_backs.frame() == nullptr);
-    const RecordedFrame now = frame_now();
     const ReadPlaces places{.around = frame.around, .points = frame.points};
-    if (changed || read_backs.asks(*cells.air, now, places)) {
+    const bool reads = changed || read_backs.asks(*cells.air, frame_now(), places);
+    const bool both = cells.blend && write_textures(commands, reads);
+    if (reads) {
+        const RecordedFrame now = frame_now();
         if (before_read_back)
             before_read_back(commands);
         if (clock)

@@ -63,7 +63,7 @@ struct WINDROW_HIDDEN Wind::State {
     [[nodiscard]] Result<void> check(VkCommandBuffer commands, const Frame& frame) const;
     [[nodiscard]] Result<void> begin(VkCommandBuffer commands, const Frame& frame);
     void end(VkCommandBuffer commands, const Frame& frame);
-    [[nodiscard]] bool write_textures(VkCommandBuffer commands);
+    [[nodiscard]] bool write_textures(VkCommandBuffer commands, bool reads);
 
     void record_save(VkCommandBuffer commands);
     /// What was recorded for this slot before is done.

@@ -111,7 +111,8 @@ struct WindrowControl {
     uint fastest_in_rows;
     // The same, by the last pass of the tick before.
     uint left_fastest, left_in_rows;
-    uint unused_a, unused_b;
+    uint reported_groups; // of `show` that are done
+    uint unused;
     WindrowPlan plan; // of this tick, or of the last one until there is one
     // Of the last tick's plan, kept by its last pass: invocations make the next one from these while one replaces it.
     float last_duration;
@@ -355,8 +356,13 @@ struct WindrowAdjustPush {
 struct WindrowShowPush {
     ivec3 shift;  // [cells] of the box, since the tables of what is shown were made
     float factor; // of the way from the tick before to now
-    int reports;  // 1: a tick is to be reported
+    int reports;  // what is to be reported of a tick: one of these
+    int forces;   // as WindrowReportPush
+    int forces_at;
 };
+#define WINDROW_REPORTS_NOTHING 0
+#define WINDROW_REPORTS_SUMS 1    // for a later pass
+#define WINDROW_REPORTS_TO_HOST 2
 
 struct WindrowReportPush {
     int sums;      // entries to reduce

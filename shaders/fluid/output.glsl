@@ -1,4 +1,5 @@
-// Output of a frame: the wind between the last two ticks as textures, and the figures of the tick's report.
+// Output of a frame: the wind between the last two ticks as textures, and the figures of the tick's report. The last work group
+// adds up what all have found, and writes it for the host.
 //
 // WINDROW_VECTORS and WINDROW_AXES are the formats of one texture of four components and of three of one; each alone, or both.
 // WINDROW_TEXEL(u) makes of a vec4 what such a texture can hold: a half becomes no infinity.
@@ -14,16 +15,16 @@ layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[];
 layout(std430, set = 0, binding = 3) readonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
 // of |u|^2 and of the squared divergence, a work group each
-layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
+layout(std430, set = 0, binding = 5) coherent buffer Sums { vec2 sums[]; };
 #define WINDROW_SOLIDS 7
 #include "fluid/solids.glsl"
 #include "numerics/closed_face.glsl"
 #define WINDROW_READING 8
 #ifdef WINDROW_VECTORS
-#define WINDROW_FIRST_AXIS 10
-layout(WINDROW_VECTORS, set = 0, binding = 9) writeonly uniform image3D vectors;
+#define WINDROW_FIRST_AXIS 12
+layout(WINDROW_VECTORS, set = 0, binding = 11) writeonly uniform image3D vectors;
 #else
-#define WINDROW_FIRST_AXIS 9
+#define WINDROW_FIRST_AXIS 11
 #endif
 #ifdef WINDROW_AXES
 layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS) writeonly uniform image3D axis_x;
@@ -66,8 +67,11 @@ void write_texels(ivec3 cell, SampledCell sampled) {
 }
 
 layout(constant_id = 3) const int k_group = 128; // invocations
-shared vec2 parts[k_group];
+#define WINDROW_AROUND 9
+#define WINDROW_SLOT 10
+#include "fluid/report.glsl"
 shared uint group_largest, group_apart;
+shared bool is_last;
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -114,5 +118,17 @@ void main() {
         sums[(group.z * groups.y + group.y) * groups.x + group.x] = parts[0];
         atomicMax(control.largest_speed, group_largest);
         atomicMax(control.farthest_from_ambient, group_apart);
+        memoryBarrierBuffer();
+        is_last = push.reports == WINDROW_REPORTS_TO_HOST &&
+                  atomicAdd(control.reported_groups, 1u) == groups.x * groups.y * groups.z - 1u;
+        memoryBarrierBuffer();
     }
+    barrier();
+    if (!is_last)
+        return;
+    memoryBarrierBuffer(); // it reads the sums of all
+    if (local == 0)
+        control.reported_groups = 0u;
+    const uvec3 groups = gl_NumWorkGroups;
+    write_report(int(groups.x * groups.y * groups.z), push.forces, push.forces_at);
 }

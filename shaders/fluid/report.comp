@@ -1,8 +1,4 @@
-// Report of a tick, written where the host reads it. One work group.
-//
-// The sums of the work groups are added with what each addition rounds away, so that the totals are those of exact additions,
-// rounded once (6e-8 of them).
-// Based on: Knuth 1997, The Art of Computer Programming 2, section 4.2.2 (the error of a sum).
+// The report, where no textures are written that would give it with them.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_PUSH WindrowReportPush
@@ -10,73 +6,11 @@
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Sums { vec2 sums[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Around {
-    WindrowAround around;
-    float around_words[];
-};
 #define WINDROW_SOLIDS 4
 #include "fluid/solids.glsl"
-layout(std430, set = 0, binding = 5) writeonly buffer Slot {
-    WindrowReport report;
-    float behind[];
-};
-
 layout(constant_id = 3) const int k_group = 256; // invocations
-shared vec2 totals[k_group], lost[k_group];
+#define WINDROW_AROUND 3
+#define WINDROW_SLOT 5
+#include "fluid/report.glsl"
 
-// total += value; what that rounds away is added to `rounded`.
-void add(inout vec2 total, inout vec2 rounded, vec2 value) {
-    precise const vec2 sum = total + value;
-    precise const vec2 added = sum - total;
-    precise const vec2 error = (total - (sum - added)) + (value - added);
-    total = sum;
-    rounded += error;
-}
-
-// Sums that overflow have no error to add.
-float whole(float total, float rounded) { return abs(total) < 3e38f ? total + rounded : total; }
-
-// What acted on each body in the last tick.
-void write_forces(int local) {
-    for (int n = local; n < WINDROW_PUSHED * min(solids.body_count, push.forces); n += k_group) {
-        const int sum = solids.loads + WINDROW_LOAD * (n / WINDROW_PUSHED) + 2 * WINDROW_PUSHED + n % WINDROW_PUSHED;
-        behind[push.forces_at + n] = around_words[sum] + around_words[sum + WINDROW_PUSHED];
-    }
-}
-
-void main() {
-    const int local = int(gl_LocalInvocationIndex);
-    if (has_obstacles())
-        write_forces(local);
-    vec2 total = vec2(0.0f), rounded = vec2(0.0f);
-    for (int n = local; n < push.sums; n += k_group)
-        add(total, rounded, sums[n]);
-    totals[local] = total;
-    lost[local] = rounded;
-    barrier();
-    for (int count = k_group; count > 1;) {
-        const int half_count = (count + 1) / 2;
-        if (local + half_count < count) {
-            add(total, rounded, totals[local + half_count]);
-            rounded += lost[local + half_count];
-            totals[local] = total;
-            lost[local] = rounded;
-        }
-        count = half_count;
-        barrier();
-    }
-    if (local != 0)
-        return;
-    report.largest_component = uintBitsToFloat(control.largest_speed);
-    report.apart = uintBitsToFloat(control.farthest_from_ambient);
-    report.cfl = WINDROW_OF_PLAN.cfl;
-    const uint carried = uint(min(ceil(1e6f * WINDROW_OF_PLAN.carried_time), 8388607.0f));
-    report.substeps = uint(WINDROW_OF_PLAN.substeps) | uint(WINDROW_OF_PLAN.capped) << 8 | carried << 9;
-    report.repaired_cells = control.repaired_cells;
-    report.limited_cells = control.limited_cells;
-    report.squares = whole(total.x, rounded.x);
-    report.divergence_squares = whole(total.y, rounded.y);
-    const bool any = has_obstacles();
-    report.pressure_residual = any && around.wanted > 0.0f ? around.left / around.wanted : 0.0f;
-    report.pressure_solves = any ? uint(around.solved) : 0u;
-}
+void main() { write_report(push.sums, push.forces, push.forces_at); }

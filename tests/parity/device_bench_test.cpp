@@ -75,16 +75,16 @@ TEST(DeviceCommands, FiguresAreToldAndKept) {
             EXPECT_GT(entry[key], 0) << key;
         EXPECT_GE(entry["step_us"]["median"], entry["step_us"]["min"]);
         EXPECT_GE(entry["step_us"]["p99"], entry["step_us"]["median"]);
-        EXPECT_GT(entry["read_back_us"]["median"], 0.0) << "timed apart from the step";
+        EXPECT_GE(entry["read_back_us"]["median"], 0.0) << "of cells; the report is in the step";
     }
-    EXPECT_EQ(json["entries"][0]["dispatches"], 9) << "the default records one sub-step too; its cells are read";
-    EXPECT_EQ(json["entries"][1]["dispatches"], 8) << "a step of one sub-step in seven dispatches, and its report";
-    EXPECT_EQ(json["entries"][1]["barriers"], 8);
+    EXPECT_EQ(json["entries"][0]["dispatches"], 8) << "the default records one sub-step too; its cells are read";
+    EXPECT_EQ(json["entries"][1]["dispatches"], 7) << "a step of one sub-step, which reports";
+    EXPECT_EQ(json["entries"][1]["barriers"], 7);
     EXPECT_GT(json["entries"][0]["bytes_moved"], 8 * 6 * 10 * 100);
     EXPECT_GT(json["entries"][0]["parity_steps"], 0);
     EXPECT_GT(json["entries"][0]["parity"], 0.0);
     EXPECT_LT(json["entries"][0]["parity"], 1e-4);
-    EXPECT_GE(json["passes"].size(), 8u);
+    EXPECT_GE(json["passes"].size(), 7u);
     for (const nlohmann::json& pass : json["passes"])
         EXPECT_LE(pass.value("dispatches", 0), 1) << pass << ": of one sub-step, without the empty ones";
     EXPECT_GT(json["references"][0]["stencil_us"]["mean"], 0.0);
