@@ -15,6 +15,7 @@
 #include "pictures/sheet.h"
 #include "scene/frame_files.h"
 #include "scene/nearest_word.h"
+#include "scene/number_text.h"
 #include "vegetation/program/film.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/scene_renderer.h"
