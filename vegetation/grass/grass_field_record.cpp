@@ -1,6 +1,5 @@
 // What a field records in a frame.
 #include "vegetation/grass/grass_field_state.h"
-
 #include "vegetation/vulkan/calls.h"
 
 #include <algorithm>

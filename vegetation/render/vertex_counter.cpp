@@ -2,7 +2,6 @@
 
 #include "vegetation/vulkan/calls.h"
 
-
 namespace windrow::vegetation::render {
 
 VertexCounter::VertexCounter(engine::Objects& objects) : device_(objects.device().handle()) {

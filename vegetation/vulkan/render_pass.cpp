@@ -2,7 +2,6 @@
 
 #include "vegetation/vulkan/calls.h"
 
-
 namespace windrow::vegetation::engine {
 
 RenderPass::RenderPass(Objects& objects, VkExtent2D extent, std::span<const Attachment> attachments)

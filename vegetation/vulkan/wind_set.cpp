@@ -2,7 +2,6 @@
 
 #include "vegetation/vulkan/calls.h"
 
-
 namespace windrow::vegetation::engine {
 namespace {
 
