@@ -76,7 +76,8 @@ class WINDROW_API WindView {
     /// The same for many points, as `velocity` takes them.
     void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const;
     void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const;
-    /// [m/s] The air's own cells, laid out as box.h says; w = 0. What is sampled is filled beside surfaces.
+    /// [m/s] The air's own cells, laid out as box.h says; w = 0, or over rough ground the lee of plants (shaders/numerics/lee.glsl).
+    /// What is sampled is filled beside surfaces.
     [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
     /// One texture of four components, as float or half: x, y, z of the velocity and 0, as it is sampled. Over rough ground x, y, z are
     /// the wind over the fraction that the law of the wall leaves and w [m] is the height, as windrow_wind.glsl reads them. The span holds four numbers for each of
