@@ -43,7 +43,7 @@ std::vector<trees::TreeStandSettings> stands_of(const std::string& kind) {
     struct Grove {
         const char* kind;
         int count;
-        trees::TreePlace near;
+        windrow::TreePlace near;
     };
     std::vector<trees::TreeStandSettings> stands;
     std::uint32_t seed = 3;
