@@ -300,7 +300,7 @@ struct StateFields {
         ObstacleFields::surface(archive, surface, config.cells);
         if constexpr (Reading<decltype(archive)>)
             if (!archive.rejected()) {
-                ObstacleFields::settle(obstacles, place.window, config.boundaries, !surface.placed.empty());
+                ObstacleFields::settle(obstacles, place.window, config.boundaries, surface.placed);
                 cells.set_surface_history(std::move(surface));
             }
         auto kept = cells.kept_potential();

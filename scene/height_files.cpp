@@ -5,6 +5,7 @@
 #include "fluid/files/text_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cctype>
 #include <cmath>
@@ -75,6 +76,10 @@ Result<HeightPicture> parse_raw(std::string_view bytes, const std::string& name,
     return heights;
 }
 
+bool same_word(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == y; });
+}
+
 // Words of a text, one after another.
 class Words {
   public:
@@ -86,15 +91,18 @@ class Words {
         left_.remove_prefix(end);
         return word;
     }
-    [[nodiscard]] std::optional<double> number() { return detail::number_of<double>(next()); }
+    [[nodiscard]] std::optional<double> number() { return number_of(next()); }
+    /// Not a number for the words by which grids name a place without data.
+    [[nodiscard]] static std::optional<double> number_of(std::string_view word) {
+        const auto is_it = [&](const char* none) { return same_word(word, none); };
+        if (std::ranges::any_of(std::array{"nan", "-nan", "inf", "-inf"}, is_it))
+            return std::numeric_limits<double>::quiet_NaN();
+        return detail::number_of<double>(word);
+    }
 
   private:
     std::string_view left_;
 };
-
-bool same_word(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](char x, char y) { return std::tolower(static_cast<unsigned char>(x)) == y; });
-}
 
 // An ESRI ASCII grid: ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value, then heights [m], the northern row first.
 Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name) {
@@ -108,7 +116,7 @@ Result<HeightPicture> parse_asc(std::string_view bytes, const std::string& name)
     for (std::string_view word = words.next(); !first; word = words.next()) {
         if (word.empty())
             return no_grid;
-        first = detail::number_of<double>(word);
+        first = Words::number_of(word);
         if (first)
             break;
         const bool known =

@@ -192,8 +192,9 @@ struct ObstacleFields {
             check(archive, obstacles);
     }
 
-    /// Boxes of the last tick have gone: the next one searches and places again. `placed`: the last one placed some.
-    static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries, bool placed) {
+    /// Boxes of the last tick have gone: the next one searches and places again. `placed`: what the last one returned.
+    static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries,
+                       std::span<const PlacedObstacle> placed) {
         obstacles.make_room();
         obstacles.moving_.reserve(obstacles.motions_.size());
         for (std::uint32_t n = 0; n < obstacles.motions_.size(); ++n)
@@ -206,7 +207,8 @@ struct ObstacleFields {
         obstacles.window_.origin_cells = origin;
         obstacles.boundaries_ = boundaries;
         obstacles.search_ = true;
-        obstacles.changed_ = placed || obstacles.count() > 0;
+        obstacles.placed_.assign(placed.begin(), placed.end());
+        obstacles.changed_ = !placed.empty() || obstacles.count() > 0;
     }
 
     static void check(detail::Reader& reader, Obstacles& obstacles) {

@@ -131,8 +131,7 @@ Result<void> TriangleMesh::measure(detail::ClosedSurface found) {
         if (steps > k_points * k_max_steps || (t + apart >= data_.triangles.size() && steps > points * k_max_steps))
             return too_long;
     }
-    constexpr std::size_t k_most_cutting_steps = 200'000'000; // 1 s
-    const MeshData outer = detail::surface_of_union(data_, found.parts, *tree_, k_most_cutting_steps);
+    const MeshData outer = detail::surface_of_union(data_, found.parts, *tree_);
     if (!outer.triangles.empty())
         surface_ = std::make_unique<MeshTree>(outer);
     edges_ = std::make_unique<detail::MeshEdges>(std::move(found.edges));
@@ -146,7 +145,7 @@ Result<void> TriangleMesh::measure(detail::ClosedSurface found) {
             return too_long;
     }
     thickness_ = rays.least();
-    signs_ = std::make_unique<detail::MeshSigns>(data_, *tree_, low_, high_);
+    signs_ = std::make_unique<detail::MeshSigns>(surface, *tree_, low_, high_);
     return {};
 }
 

@@ -243,7 +243,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     const bool tight = is_tight(number, thickness_of_[number]);
     shut_.clear();
     if (!tight && ground_.empty() && together_.any_edges())
-        shut_edges(view, reach);
+        reach.for_each([&](glm::ivec3 cell) { shut_.push_back(shut_by_edges(view, cell, depths_[shut_.size()])); });
     const auto holds_own = [&](glm::ivec3 cell, float away) { // what was drawn before it holds none of its cells
         return !flat && holds(away) &&
                (before_.empty() || together_.holds_own(view.from_middle(glm::vec3(cell) + 0.5f), k_touch * view.cell_size));
@@ -286,7 +286,7 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
             if (closed < 1.0f && tight && (in || holds_own(next, depth_at(view, reach, next))))
                 closed = 1.0f;
             if (closed < 1.0f && !shut_.empty())
-                closed += (1.0f - closed) * std::max(shut_at(reach, cell, axis), shut_at(reach, next, axis));
+                closed += (1.0f - closed) * std::max(shut_at(view, reach, cell, axis), shut_at(view, reach, next, axis));
             if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
                 closed = 1.0f;
             if (!before_.empty())
@@ -299,28 +299,23 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
     });
 }
 
-// Finds how far cells at sharp edges are shut (edges.h): wholly .2 cells inside the body, not at all .3 outside, so that a body that moves
-// closes them by and by.
-void Solids::shut_edges(const View& view, const Reach& reach) {
+// How far a cell at sharp edges along each axis is shut (edges.h), `away` [cells] from the surface: wholly .2 cells inside the body, not at
+// all .3 outside, so that a body that moves closes it by and by.
+glm::vec3 Solids::shut_by_edges(const View& view, glm::ivec3 cell, float away) const {
     constexpr float k_at_surface = 0.6f, k_slope = 2.0f; // [1/cell]
-    shut_.resize(reach.count(), glm::vec3(0.0f));
-    std::size_t n = 0;
-    reach.for_each([&](glm::ivec3 cell) {
-        const glm::vec3 centre = glm::vec3(cell) + 0.5f, up(0.0f, 0.5f, 0.0f);
-        const float row = view.from_middle(centre + up).y - view.from_middle(centre - up).y;
-        const float away = depths_[n] / std::min(row / view.cell_size, 1.0f);
-        const float shut = std::clamp(k_at_surface - k_slope * away, 0.0f, 1.0f);
-        if (shut > 0.0f && away > -k_beside * view.coarsest)
-            shut_[n] = shut * together_.edges_at(view.from_middle(centre), {view.cell_size, row, view.cell_size});
-        ++n;
-    });
+    const glm::vec3 centre = glm::vec3(cell) + 0.5f, up(0.0f, 0.5f, 0.0f);
+    const float row = view.from_middle(centre + up).y - view.from_middle(centre - up).y;
+    away /= std::min(row / view.cell_size, 1.0f);
+    const float shut = std::clamp(k_at_surface - k_slope * away, 0.0f, 1.0f);
+    if (!(shut > 0.0f && away > -k_beside * view.coarsest))
+        return glm::vec3(0.0f);
+    return shut * together_.edges_at(view.from_middle(centre), {view.cell_size, row, view.cell_size});
 }
 
 // How far a face of a cell across an axis is shut: air that goes along an edge passes.
-float Solids::shut_at(const Reach& reach, glm::ivec3 cell, int axis) const {
-    if (!reach.holds(cell))
-        return 0.0f;
-    const glm::vec3& shut = shut_[reach.index(cell)];
+float Solids::shut_at(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const {
+    const glm::vec3 shut =
+        reach.holds(cell) ? shut_[reach.index(cell)] : shut_by_edges(view, cell, away_at(view, glm::vec3(cell) + 0.5f));
     return std::max(shut[(axis + 1) % 3], shut[(axis + 2) % 3]);
 }
 

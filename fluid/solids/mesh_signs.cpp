@@ -30,13 +30,13 @@ void cut_triangle(const std::array<glm::vec3, 3>& corner, const IsSmall& is_smal
 
 } // namespace
 
-MeshSigns::MeshSigns(const MeshData& data, const MeshTree& tree, glm::vec3 low, glm::vec3 high) : low_(low), high_(high) {
+MeshSigns::MeshSigns(const MeshData& surface, const MeshTree& tree, glm::vec3 low, glm::vec3 high) : low_(low), high_(high) {
     const glm::vec3 size = high - low;
     const float longest = std::max({size.x, size.y, size.z});
-    width_ = longest / std::clamp(4.0f * numerics::cbrt(static_cast<float>(data.triangles.size())), 8.0f, k_most_cells);
+    width_ = longest / std::clamp(4.0f * numerics::cbrt(static_cast<float>(surface.triangles.size())), 8.0f, k_most_cells);
     count_ = glm::ivec3(size / width_) + 1;
     cells_.resize(static_cast<std::size_t>(count_.x) * count_.y * count_.z);
-    mark_near(data);
+    mark_near(surface);
     std::vector<std::size_t> part;
     part.reserve(cells_.size());
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)

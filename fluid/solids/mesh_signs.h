@@ -12,7 +12,8 @@ namespace windrow::detail {
 class MeshSigns {
   public:
     /// Throws std::bad_alloc.
-    MeshSigns(const MeshData& data, const MeshTree& tree, glm::vec3 low, glm::vec3 high);
+    /// Of what bounds a body (surface_of_union), and all of its triangles.
+    MeshSigns(const MeshData& surface, const MeshTree& tree, glm::vec3 low, glm::vec3 high);
 
     /// Whether a point is inside.
     [[nodiscard]] bool inside(glm::vec3 point, const MeshTree& tree) const;

@@ -164,10 +164,65 @@ MeshEdges sharp_edges(const MeshData& data, const std::vector<Edge>& edges) {
     return sharp;
 }
 
+// A triangle without a margin along its edges, or with one beyond them if it is negative, as what a plane through it and the planes across its edges bound.
+class Inner {
+  public:
+    Inner(const std::array<glm::vec3, 3>& corner, float margin) : corner_(corner), margin_(margin) {
+        const glm::dvec3 across = glm::cross(glm::dvec3(corner[1] - corner[0]), glm::dvec3(corner[2] - corner[0]));
+        if (const double length = glm::length(across); length > 0.0)
+            normal_ = glm::vec3(across / length);
+        for (int n = 0; n < 3; ++n)
+            in_[n] = glm::normalize(glm::cross(normal_, corner[(n + 1) % 3] - corner[n]));
+    }
+    [[nodiscard]] bool any() const { return normal_ != glm::vec3(0.0f); }
+    /// [m] From its plane.
+    [[nodiscard]] float over(glm::vec3 place) const { return glm::dot(normal_, place - corner_[0]); }
+    /// Whether a part of a segment in its plane is in it.
+    [[nodiscard]] bool holds_some(glm::vec3 from, glm::vec3 to) const {
+        float first = 0.0f, last = 1.0f;
+        for (int n = 0; n < 3; ++n) {
+            const float one = glm::dot(in_[n], from - corner_[n]) - margin_, other = glm::dot(in_[n], to - corner_[n]) - margin_;
+            if (one <= 0.0f && other <= 0.0f)
+                return false;
+            if (one < 0.0f)
+                first = std::max(first, one / (one - other));
+            if (other < 0.0f)
+                last = std::min(last, one / (one - other));
+        }
+        return first <= last;
+    }
+
+  private:
+    const std::array<glm::vec3, 3>& corner_;
+    float margin_;
+    glm::vec3 normal_{0.0f}, in_[3];
+};
+
+// Whether a triangle meets another one, or an edge of it one in the same plane; what is nearer than `touch` to that plane is in it.
+bool cuts(const std::array<glm::vec3, 3>& corner, const Inner& inner, float touch) {
+    glm::vec3 in_plane[3];
+    int count = 0;
+    float over[3];
+    for (int n = 0; n < 3; ++n)
+        if (over[n] = inner.over(corner[n]); std::abs(over[n]) <= touch)
+            in_plane[count++] = corner[n];
+    if (count == 3)
+        return inner.holds_some(corner[0], corner[1]) || inner.holds_some(corner[1], corner[2]) ||
+               inner.holds_some(corner[2], corner[0]);
+    for (int n = 0; n < 3 && count < 2; ++n) {
+        const float one = over[n], other = over[(n + 1) % 3];
+        if (std::min(one, other) < -touch && std::max(one, other) > touch)
+            in_plane[count++] = glm::mix(corner[n], corner[(n + 1) % 3], one / (one - other));
+    }
+    return count > 0 && inner.holds_some(in_plane[0], in_plane[count - 1]);
+}
+
+// Work is bounded by the number of triangles, so that what is left of crowded parts counts as surface.
 class Union {
   public:
-    Union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree, std::size_t most_steps)
-        : data_(data), parts_(parts), tree_(tree), most_steps_(most_steps) {
+    Union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree)
+        : data_(data), parts_(parts), tree_(tree), looks_left_(1'000 * data.triangles.size()),
+          cuts_left_(2'000'000 + 500 * data.triangles.size()) {
         glm::vec3 low = data.vertices.front(), high = low;
         for (const glm::vec3& place : data.vertices) {
             low = glm::min(low, place);
@@ -180,20 +235,26 @@ class Union {
 
     MeshData surface() {
         const auto count = static_cast<std::uint32_t>(data_.triangles.size());
-        std::vector<bool> is_cut(count); // or touched: another part may begin along its edge
-        for (std::uint32_t t = 0; t < count && has_time(); ++t)
-            is_cut[t] = tree_.is_cut(piece_of(t), -2.0f * touch_, touch_, parts_, parts_[t], steps_);
+        std::vector<bool> is_cut = repeated(); // or touched: another part may begin along its edge
+        const std::vector<bool> is_again = is_cut;
+        bool all = true;
+        for (std::uint32_t t = 0; t < count && looks_left_ > 0; ++t) {
+            if (is_again[t])
+                continue;
+            others_.clear();
+            find_others(t);
+            is_cut[t] = !others_.empty();
+            if (is_cut[t])
+                all = cut(piece_of(t), 0) == Is::surface && all;
+        }
         Sets alike = joined(sorted_edges(data_), count, [&](std::uint32_t t) { return !is_cut[t]; });
         std::vector<bool> is_within(count); // of those that are the least of their set
-        bool all = true;
         for (std::uint32_t t = 0; t < count; ++t) {
-            if (is_cut[t]) {
-                all = cut(piece_of(t), parts_[t]) == Lies::outside && all;
+            if (is_cut[t])
                 continue;
-            }
             const std::uint32_t first = alike.of(t);
             if (first == t)
-                is_within[t] = has_time() && lies_within(piece_of(t));
+                is_within[t] = looks_left_ > 0 && lies_within(piece_of(t), looks_left_);
             if (is_within[first])
                 all = false;
             else
@@ -204,47 +265,91 @@ class Union {
 
   private:
     using Piece = std::array<glm::vec3, 3>;
-    enum class Lies : std::uint8_t { outside, within, both };
+    enum class Is : std::uint8_t { surface, within, both };
     static constexpr float k_touching = 1e-4f, k_smallest = 1.0f / 128.0f; // of the longest side
 
     [[nodiscard]] Piece piece_of(std::uint32_t t) const {
         const glm::uvec3 corners = data_.triangles[t];
         return {data_.vertices[corners.x], data_.vertices[corners.y], data_.vertices[corners.z]};
     }
-    [[nodiscard]] bool has_time() const { return steps_ < most_steps_; }
+    /// Triangles with the corners of an earlier one, whichever way they face.
+    [[nodiscard]] std::vector<bool> repeated() const {
+        std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> keys;
+        keys.reserve(data_.triangles.size());
+        for (std::uint32_t t = 0; t < data_.triangles.size(); ++t) {
+            const glm::uvec3 triangle = data_.triangles[t];
+            std::array<std::uint32_t, 3> corners{triangle.x, triangle.y, triangle.z};
+            std::sort(corners.begin(), corners.end());
+            keys.emplace_back(corners, t);
+        }
+        std::sort(keys.begin(), keys.end());
+        std::vector<bool> again(keys.size());
+        for (std::size_t n = 1; n < keys.size(); ++n)
+            again[keys[n].second] = keys[n].first == keys[n - 1].first;
+        return again;
+    }
+    static void spend(std::size_t steps, std::size_t& left) { left -= std::min(steps, left); }
     void keep(const Piece& piece) {
         const auto first = static_cast<std::uint32_t>(surface_.vertices.size());
         surface_.vertices.insert(surface_.vertices.end(), piece.begin(), piece.end());
         surface_.triangles.emplace_back(first, first + 1, first + 2);
     }
+    /// Triangles of other parts that cut one, or touch it.
+    void find_others(std::uint32_t t) {
+        const Piece piece = piece_of(t);
+        const Inner around(piece, -2.0f * touch_);
+        if (!around.any())
+            return;
+        const glm::vec3 low = glm::min(piece[0], glm::min(piece[1], piece[2])),
+                        high = glm::max(piece[0], glm::max(piece[1], piece[2]));
+        const std::size_t steps = tree_.for_each_in(low - touch_, high + touch_, [&](std::uint32_t other) {
+            if (parts_[other] != parts_[t] && cuts(piece_of(other), around, touch_))
+                others_.push_back(other);
+        });
+        spend(steps, looks_left_);
+    }
     /// Whether both of its sides are inside.
-    [[nodiscard]] bool lies_within(const Piece& piece) {
+    [[nodiscard]] bool lies_within(const Piece& piece, std::size_t& left) const {
         const glm::dvec3 across = glm::cross(glm::dvec3(piece[1] - piece[0]), glm::dvec3(piece[2] - piece[0]));
         const double length = glm::length(across);
         if (!(length > 0.0))
             return false;
         const glm::vec3 middle = (piece[0] + piece[1] + piece[2]) / 3.0f, out = touch_ * glm::vec3(across / length);
-        return winds_around(tree_.winding_number(middle + out, &steps_)) &&
-               winds_around(tree_.winding_number(middle - out, &steps_));
+        std::size_t steps = 0;
+        const bool within =
+            winds_around(tree_.winding_number(middle + out, &steps)) && winds_around(tree_.winding_number(middle - out, &steps));
+        spend(steps, left);
+        return within;
     }
-    /// Keeps the pieces of a piece that are outside, as large as they can be.
-    Lies cut(const Piece& piece, std::uint32_t part) {
+    /// Keeps the parts of a piece that are a surface, as large as they can be. `others_` from `first` on may cut it.
+    Is cut(const Piece& piece, std::size_t first) {
+        const std::size_t end = others_.size();
+        const Inner inner(piece, 2.0f * touch_);
+        for (std::size_t n = first; n < end && inner.any(); ++n)
+            if (const std::uint32_t other = others_[n]; cuts(piece_of(other), inner, touch_))
+                others_.push_back(other);
+        spend(end - first, cuts_left_);
+        const Is is = others_.size() > end ? cut_in_two(piece, end) : whole(piece);
+        others_.resize(end);
+        return is;
+    }
+    Is whole(const Piece& piece) {
+        if (cuts_left_ > 0 && lies_within(piece, cuts_left_))
+            return Is::within;
+        keep(piece);
+        return Is::surface;
+    }
+    Is cut_in_two(const Piece& piece, std::size_t first) {
         const float longest =
             std::max({glm::distance(piece[0], piece[1]), glm::distance(piece[1], piece[2]), glm::distance(piece[2], piece[0])});
-        const bool is_whole =
-            longest <= smallest_ || !has_time() || !tree_.is_cut(piece, 2.0f * touch_, touch_, parts_, part, steps_);
-        const auto halves = is_whole ? std::nullopt : halves_of(piece);
-        if (!halves) {
-            if (has_time() && lies_within(piece))
-                return Lies::within;
-            keep(piece);
-            return Lies::outside;
-        }
+        const auto halves = longest <= smallest_ || cuts_left_ == 0 ? std::nullopt : halves_of(piece);
+        if (!halves)
+            return whole(piece);
         const std::size_t vertices = surface_.vertices.size(), triangles = surface_.triangles.size();
-        const Lies one = cut((*halves)[0], part), other = cut((*halves)[1], part);
+        const Is one = cut((*halves)[0], first), other = cut((*halves)[1], first);
         if (one != other)
-            return Lies::both;
-        if (one == Lies::outside) {
+            return Is::both;
+        if (one == Is::surface) {
             surface_.vertices.resize(vertices);
             surface_.triangles.resize(triangles);
             keep(piece);
@@ -255,8 +360,9 @@ class Union {
     const MeshData& data_;
     std::span<const std::uint32_t> parts_;
     const MeshTree& tree_;
-    std::size_t most_steps_, steps_ = 0;
+    std::size_t looks_left_, cuts_left_; ///< nodes and triangles that may be looked at
     float touch_ = 0.0f, smallest_ = 0.0f;
+    std::vector<std::uint32_t> others_; ///< a stack
     MeshData surface_;
 };
 
@@ -348,10 +454,9 @@ Result<ClosedSurface> close_surface(MeshData& data) {
     return surface;
 }
 
-MeshData surface_of_union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree,
-                          std::size_t most_steps) {
+MeshData surface_of_union(const MeshData& data, std::span<const std::uint32_t> parts, const MeshTree& tree) {
     const bool is_one = std::all_of(parts.begin(), parts.end(), [&](std::uint32_t part) { return part == parts.front(); });
-    return is_one ? MeshData{} : Union(data, parts, tree, most_steps).surface();
+    return is_one ? MeshData{} : Union(data, parts, tree).surface();
 }
 
 } // namespace windrow::detail

@@ -64,59 +64,6 @@ bool meets(const glm::vec3 (&corner)[3], glm::dvec3 from, glm::dvec3 to) {
     return !along && ((before <= 0.0 && after >= 0.0) || (before >= 0.0 && after <= 0.0));
 }
 
-// A triangle without a margin along its edges, or with one beyond them if it is negative, as what a plane through it and the planes across its edges bound.
-class Inner {
-  public:
-    Inner(const std::array<glm::vec3, 3>& corner, float margin) : corner_(corner), margin_(margin) {
-        const glm::dvec3 across = glm::cross(glm::dvec3(corner[1] - corner[0]), glm::dvec3(corner[2] - corner[0]));
-        if (const double length = glm::length(across); length > 0.0)
-            normal_ = glm::vec3(across / length);
-        for (int n = 0; n < 3; ++n)
-            in_[n] = glm::normalize(glm::cross(normal_, corner[(n + 1) % 3] - corner[n]));
-    }
-    [[nodiscard]] bool any() const { return normal_ != glm::vec3(0.0f); }
-    /// [m] From its plane.
-    [[nodiscard]] float over(glm::vec3 place) const { return glm::dot(normal_, place - corner_[0]); }
-    /// Whether a part of a segment in its plane is in it.
-    [[nodiscard]] bool holds_some(glm::vec3 from, glm::vec3 to) const {
-        float first = 0.0f, last = 1.0f;
-        for (int n = 0; n < 3; ++n) {
-            const float one = glm::dot(in_[n], from - corner_[n]) - margin_, other = glm::dot(in_[n], to - corner_[n]) - margin_;
-            if (one <= 0.0f && other <= 0.0f)
-                return false;
-            if (one < 0.0f)
-                first = std::max(first, one / (one - other));
-            if (other < 0.0f)
-                last = std::min(last, one / (one - other));
-        }
-        return first <= last;
-    }
-
-  private:
-    const std::array<glm::vec3, 3>& corner_;
-    float margin_;
-    glm::vec3 normal_{0.0f}, in_[3];
-};
-
-// Whether a triangle meets another one, or an edge of it one in the same plane; what is nearer than `touch` to that plane is in it.
-bool cuts(const glm::vec3 (&corner)[3], const Inner& inner, float touch) {
-    glm::vec3 in_plane[3];
-    int count = 0;
-    float over[3];
-    for (int n = 0; n < 3; ++n)
-        if (over[n] = inner.over(corner[n]); std::abs(over[n]) <= touch)
-            in_plane[count++] = corner[n];
-    if (count == 3)
-        return inner.holds_some(corner[0], corner[1]) || inner.holds_some(corner[1], corner[2]) ||
-               inner.holds_some(corner[2], corner[0]);
-    for (int n = 0; n < 3 && count < 2; ++n) {
-        const float one = over[n], other = over[(n + 1) % 3];
-        if (std::min(one, other) < -touch && std::max(one, other) > touch)
-            in_plane[count++] = glm::mix(corner[n], corner[(n + 1) % 3], one / (one - other));
-    }
-    return count > 0 && inner.holds_some(in_plane[0], in_plane[count - 1]);
-}
-
 } // namespace
 
 std::optional<std::array<std::array<glm::vec3, 3>, 2>> halves_of(const std::array<glm::vec3, 3>& corner) {
@@ -292,23 +239,17 @@ void MeshTree::for_each_near(glm::vec3 point, float most, const std::function<vo
          });
 }
 
-bool MeshTree::is_cut(const std::array<glm::vec3, 3>& piece, float margin, float touch, std::span<const std::uint32_t> parts,
-                      std::uint32_t part, std::size_t& steps) const {
-    const glm::vec3 low = glm::min(piece[0], glm::min(piece[1], piece[2])) - touch,
-                    high = glm::max(piece[0], glm::max(piece[1], piece[2])) + touch;
-    const Inner inner(piece, margin);
-    if (!inner.any())
-        return false;
-    bool cut = false;
-    steps += walk(
-        [&](const Node& node) {
-            return glm::all(glm::lessThanEqual(node.low, high)) && glm::all(glm::lessThanEqual(low, node.high));
-        },
-        [&](const Triangle& triangle) {
-            cut = parts[triangle.number] != part && cuts(triangle.corner, inner, touch);
-            return !cut;
-        });
-    return cut;
+std::size_t MeshTree::for_each_in(glm::vec3 low, glm::vec3 high, const std::function<void(std::uint32_t)>& visit) const {
+    const auto meets = [&](glm::vec3 from, glm::vec3 to) {
+        return glm::all(glm::lessThanEqual(from, high)) && glm::all(glm::lessThanEqual(low, to));
+    };
+    return walk([&](const Node& node) { return meets(node.low, node.high); },
+                [&](const Triangle& triangle) {
+                    const auto& [a, b, c] = triangle.corner;
+                    if (meets(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))))
+                        visit(triangle.number);
+                    return true;
+                });
 }
 
 float MeshTree::first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most, std::size_t& steps) const {

@@ -35,11 +35,8 @@ class MeshTree {
 
     /// visit(number) for each triangle that is nearer to a point than `most` [m].
     void for_each_near(glm::vec3 point, float most, const std::function<void(std::uint32_t)>& visit) const;
-    /// Whether a triangle of another part than `part` meets a piece of a triangle of that part, farther than `margin` [m] from the
-    /// piece's edges. Of one in its plane, nearer to it than `touch`, whether an edge does. `parts` holds that of each triangle. Adds to `steps` as the winding
-    /// number does.
-    [[nodiscard]] bool is_cut(const std::array<glm::vec3, 3>& piece, float margin, float touch,
-                              std::span<const std::uint32_t> parts, std::uint32_t part, std::size_t& steps) const;
+    /// visit(number) for each triangle whose box meets another one. Returns how many nodes and triangles it looked at.
+    std::size_t for_each_in(glm::vec3 low, glm::vec3 high, const std::function<void(std::uint32_t)>& visit) const;
 
     [[nodiscard]] std::size_t memory_bytes() const {
         return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);

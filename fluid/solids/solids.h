@@ -374,8 +374,8 @@ class Solids {
     [[nodiscard]] bool is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const;
     void draw_near(std::size_t number, const View& view, const Reach& reach, const Reach& drawn);
     void measure(const View& view, const Reach& reach);
-    void shut_edges(const View& view, const Reach& reach);
-    [[nodiscard]] float shut_at(const Reach& reach, glm::ivec3 cell, int axis) const;
+    [[nodiscard]] glm::vec3 shut_by_edges(const View& view, glm::ivec3 cell, float away) const;
+    [[nodiscard]] float shut_at(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     void measure_ground(const View& view, Reach& reach, const Reach& drawn);
     [[nodiscard]] Column column_at(const View& view, const Reach& reach, int i, int k) const;
     [[nodiscard]] static float rise_over(const View& view, const Column& column, glm::ivec3 cell, float away);

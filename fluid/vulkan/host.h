@@ -78,7 +78,7 @@ struct Requirements {
     VkPhysicalDeviceFeatures features{};
     std::uint32_t shared_bytes = 16384; ///< maxComputeSharedMemorySize
     std::uint32_t invocations = 128;    ///< maxComputeWorkGroupInvocations
-    std::uint32_t storage_buffers = 12; ///< maxPerStageDescriptorStorageBuffers
+    std::uint32_t storage_buffers = 13; ///< maxPerStageDescriptorStorageBuffers
     std::uint32_t storage_images = 4;   ///< maxPerStageDescriptorStorageImages
 };
 [[nodiscard]] WINDROW_API Requirements requirements();

@@ -1,6 +1,7 @@
 #include "fluid/vulkan/passes.h"
 
 #include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/host.h"
 #include "fluid/vulkan/work_groups.h"
 #include "gpu/pipeline.h"
 #include "shader_words/adjust.h"
@@ -44,6 +45,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -279,6 +281,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                 {.groups = plan.groups, .local_size = plan.local, .shared_bytes = plan.shared_bytes, .name = name_of(plan.pass)});
             !fits)
             return fits.failure();
+        assert(plan.buffers.size() <= requirements().storage_buffers);
         std::vector<VkDescriptorType> kinds;
         for (const Buffer* buffer : plan.buffers)
             kinds.push_back(fields.blocks_of(buffer) != nullptr ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER_DYNAMIC
