@@ -361,7 +361,7 @@ struct WindrowShowPush {
     int forces_at;
 };
 #define WINDROW_REPORTS_NOTHING 0
-#define WINDROW_REPORTS_SUMS 1    // for a later pass
+#define WINDROW_REPORTS_SUMS 1 // for a later pass
 #define WINDROW_REPORTS_TO_HOST 2
 
 struct WindrowReportPush {

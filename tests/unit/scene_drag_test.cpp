@@ -38,10 +38,11 @@ TEST(SceneDrag, IsReadAndAddedOnce) {
 
 // [m/s] Along the wind behind a grove, and how many deposits made it.
 std::pair<float, int> wind_behind(const std::string& stand) {
-    const auto scene = read_scene_text(R"({"air": {"cells": [32, 16, 16], "ambient": [4, 0, 0], "boundaries": {"y_low": "free_slip"}},
+    const auto scene =
+        read_scene_text(R"({"air": {"cells": [32, 16, 16], "ambient": [4, 0, 0], "boundaries": {"y_low": "free_slip"}},
         "drag": [{"plant": {"position": [0, 0, 40]}}], "picture": {"trees": [)" +
-                                           stand + "]}}",
-                                       "grove.json");
+                            stand + "]}}",
+                        "grove.json");
     EXPECT_TRUE(scene) << scene.error();
     Wind wind = *Wind::create(scene->air);
     SceneAir air(*scene);

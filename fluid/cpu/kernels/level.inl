@@ -18,9 +18,10 @@ namespace {
 #include "fluid/cpu/kernels/product.inl"
 #include "fluid/cpu/kernels/stencils.inl"
 #include "fluid/cpu/kernels/stress.inl"
-#include "fluid/cpu/kernels/drag.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
+// Rows are those of the stress;
+#include "fluid/cpu/kernels/drag.inl"
 // Queries of points: remainders;
 #include "fluid/cpu/kernels/wrap.inl"
 // groups of points;
