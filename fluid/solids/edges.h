@@ -4,8 +4,8 @@
 // between cells, and else half of it.
 //
 // An edge is sharp on the scale of a cell: half a cell from it along either side, the surface is as far away as beside a right angle.
-// So neither a seam between bodies, nor the foot of a wall, nor a line of a round mesh is one. It counts where it is along an axis of the
-// cells: along one at an angle, as along the rim of a cylinder, shut cells would be steps in the way of a wind along it.
+// So neither a seam between bodies, nor the foot of a wall, nor a line of a round mesh is one. Only edges within 14 degrees of an axis of
+// the cells count. Along another edge, or the rim of a cylinder, the shut cells would form stairs that block a wind parallel to it.
 #pragma once
 
 #include "fluid/obstacle.h"

@@ -1,8 +1,8 @@
 // An edge between two triangles is passed by one of them from its first end to its second, and by the other back. So a surface is
 // closed, and its winding number is whole, where each edge is passed as often one way as the other.
 //
-// The union of its parts is bounded by what has the inside on one side alone. Nothing changes sides but where another part cuts it: so
-// triangles that none cuts are all alike as far as they go on from one to the next, and one winding number tells of them all.
+// The surface of the union of its parts has the inside on one side alone. That changes only where another part crosses it. So of connected
+// triangles that no other part crosses, one winding number decides for all.
 // Based on: Jacobson, Kavan & Sorkine-Hornung 2013, ACM Transactions on Graphics 32 (whole winding numbers of closed surfaces).
 #include "fluid/solids/mesh_surface.h"
 
