@@ -6,15 +6,6 @@
 #include <algorithm>
 
 namespace windrow {
-namespace {
-
-// All levels give the same bits.
-const cpu::Kernels& kernels() {
-    return *cpu::kernels_for(Simd::best);
-}
-
-} // namespace
-
 glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
     if (uniform())
         return settings_.mean;
@@ -29,7 +20,7 @@ void AmbientWind::velocity(std::span<const glm::dvec3> positions, std::span<glm:
         return;
     cpu::AmbientTask task;
     cpu::set_ambient(task, *this);
-    kernels().sample_ambient(task, &positions.data()->x, count, 3, &velocities.data()->x);
+    cpu::best_kernels().sample_ambient(task, &positions.data()->x, count, 3, &velocities.data()->x);
 }
 
 glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling) const {
@@ -40,7 +31,7 @@ glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampl
 void AmbientWind::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
     const std::size_t count = std::min(positions.size(), velocities.size());
     if (count > 0)
-        kernels().feel(cpu::felt_task(*this, sampling), &positions.data()->x, count, 3, &velocities.data()->x);
+        cpu::best_kernels().feel(cpu::felt_task(*this, sampling), &positions.data()->x, count, 3, &velocities.data()->x);
 }
 
 AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const {

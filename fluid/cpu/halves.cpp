@@ -12,11 +12,6 @@ namespace {
 
 #include "fluid/cpu/kernels/half_text.inl"
 
-// All levels give the same bits.
-const cpu::Kernels& kernels() {
-    return *cpu::kernels_for(Simd::best);
-}
-
 } // namespace
 
 std::uint16_t to_half(float value) {
@@ -43,7 +38,7 @@ void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> t
 void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels) {
     assert(axis >= 0 && axis < 3 && half_texels.size() == field.size());
     if (!field.empty())
-        kernels().halve_axis(&field.data()->x, field.size(), axis, half_texels.data());
+        cpu::best_kernels().halve_axis(&field.data()->x, field.size(), axis, half_texels.data());
 }
 
 void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels) {
@@ -56,7 +51,7 @@ void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels) {
 void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> half_texels) {
     assert(half_texels.size() == 4 * field.size());
     if (!field.empty())
-        kernels().halve_vectors(&field.data()->x, field.size(), half_texels.data());
+        cpu::best_kernels().halve_vectors(&field.data()->x, field.size(), half_texels.data());
 }
 
 } // namespace windrow

@@ -103,7 +103,7 @@ void sample(const cpu::Kernels& kernels, const cpu::PointTask& task, const cpu::
 detail::ViewPlace detail::place_in(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
                                    glm::dvec3 position) {
     cpu::PointPlace found{};
-    cpu::kernels_for(Simd::best)->place_point(point_task(box, window, blend_zone, ambient, {}), &position.x, found);
+    cpu::best_kernels().place_point(point_task(box, window, blend_zone, ambient, {}), &position.x, found);
     ViewPlace place{.fraction = found.share};
     for (int axis = 0; axis < 3; ++axis) {
         place.low[axis] = found.low[axis];
@@ -116,7 +116,7 @@ detail::ViewPlace detail::place_in(const Box& box, const Window& window, const B
 
 glm::vec3 detail::blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners) {
     glm::vec4 wind;
-    cpu::kernels_for(Simd::best)->blend_corners(&corners.front().x, of_kernels(place), &wind.x);
+    cpu::best_kernels().blend_corners(&corners.front().x, of_kernels(place), &wind.x);
     return wind;
 }
 

@@ -49,7 +49,7 @@ const char* name_of(Simd level) {
     case Simd::best:
         break;
     }
-    return cpu::kernels_for(Simd::best)->name;
+    return cpu::best_kernels().name;
 }
 
 } // namespace windrow

@@ -302,6 +302,10 @@ struct Kernels {
 
 /// Null where this machine does not run the level.
 [[nodiscard]] const Kernels* kernels_for(Simd level);
+/// Those of the best level: for what gives the same bits at all levels.
+[[nodiscard]] inline const Kernels& best_kernels() {
+    return *kernels_for(Simd::best);
+}
 
 namespace baseline {
 extern const Kernels k_kernels;
