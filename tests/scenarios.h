@@ -249,6 +249,39 @@ inline std::vector<Scenario> scenarios(bool whole) {
                             must(wind.obstacles().move(obstacle_id(), {-4.0 + 0.4 * (n + 1), 0.1, 0.2}));
                         },
                     .steps = 8});
+    // Bodies below four cells read one-sidedly, as far as the fastest air: one that moves from the first step on, which is rehearsed.
+    rows.push_back(
+        {.name = "small_ball_moves_from_the_start",
+         .config =
+             [](Config& c) {
+                 c.ambient = {-16.26f, 0.0f, 11.83f};
+             },
+         .begin =
+             [](WindControl& wind) {
+                 must(wind.obstacles().add({.position = {0.02, 0.13, 0.06}, .shape = Sphere{1.94f}}));
+             },
+         .step = [](WindControl& wind,
+                    int n) { must(wind.obstacles().move(obstacle_id(), glm::dvec3(0.02 - 0.447 * (n + 1.0), 0.13, 0.06))); },
+         .steps = 8});
+    // What a body leaves takes the lee of the air beside it.
+    rows.push_back(
+        {.name = "lee_behind_a_ball_that_moves",
+         .config =
+             [](Config& c) {
+                 c.boundaries = Boundaries::open_over_floor();
+                 c.profile = LogProfile{};
+                 c.roughness = Roughness{};
+                 c.canopy = Canopy{.height = 2.0f};
+             },
+         .begin =
+             [](WindControl& wind) {
+                 must(wind.obstacles().add({.position = {4.0, 1.2, -1.0}, .shape = Sphere{1.3f}}));
+             },
+         .step =
+             [](WindControl& wind, int n) {
+                 must(wind.obstacles().move(obstacle_id(), glm::dvec3(4.0 - 0.4 * (n + 1.0), 1.2, -1.0 + 0.1 * (n + 1.0))));
+             },
+         .steps = 24});
     // Sealed air: a piston that fills a tube, and a closed box in which bodies move.
     rows.push_back({.name = "piston",
                     .begin =

@@ -231,12 +231,14 @@ void Workspace::State::advect_one_sided(const cpu::AdvectTask& task, bool scalar
     };
     if (solids->any_thin()) {
         constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
-        if (!fastest)
-            fastest = box.rows ? fastest_by_rows(task.velocity) : survey(task.velocity).largest_component;
-        solids->reach_past_thin(k_extrapolated * task.cells_per_speed * *fastest);
+        float most = 0.0f;
+        if (fastest)
+            most = *fastest;
+        else
+            most = box.rows ? fastest_by_rows(task.velocity) : survey(task.velocity).largest_component;
+        solids->reach_past_thin(k_extrapolated * task.cells_per_speed * most);
         advect(solids->thin(), false);
     }
-    fastest.reset();
     advect(solids->rooms(), true);
 }
 

@@ -108,6 +108,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
             advance_stable_fluids(part_dt, report);
         inside_is_air_ = false;
     }
+    work.state().fastest.reset();
     *step.ambient = around_;
     if (const Solids* const solids = work.state().solids.get())
         report.filling_obstacles = solids->filling();

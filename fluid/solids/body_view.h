@@ -11,6 +11,9 @@ namespace windrow {
 struct Solids::View {
     static constexpr float k_far = 3.0f;      ///< [cells] from a surface; beyond it a distance need not be right
     static constexpr double k_parts = 4096.0; ///< of a cell, in which a body's place is rounded
+    /// Of a part, by which a place is rounded up from below its half: places are whole sixteenths (Window::local_rounded) but for the
+    /// rounding of floats, which is another in each box and must not choose.
+    static constexpr double k_half = 0.5 + 1.0 / 32.0;
 
     const PlacedObstacle& body;
     float cell_size;
@@ -26,7 +29,7 @@ struct Solids::View {
         const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
         const glm::dvec3 whole = glm::floor(middle);
         base = glm::vec3(whole);
-        part = glm::vec3(glm::round((middle - whole) * k_parts) / k_parts);
+        part = glm::vec3(glm::floor((middle - whole) * k_parts + k_half) / k_parts);
     }
     // `beside`: the rest of a place that no float holds exactly.
     [[nodiscard]] glm::vec3 from_middle(glm::vec3 cell, glm::vec3 beside = glm::vec3(0.0f)) const {

@@ -23,6 +23,7 @@ void main() {
     const int slot = (WINDROW_OF_PLAN.first_slot + (push.substep < 0 ? WINDROW_OF_PLAN.substeps : push.substep)) & 1;
     const int field = tick.cells.x * tick.cells.y * tick.cells.z;
     vec3 now_there = vec3(0.0f), ago_there = vec3(0.0f), held = vec3(0.0f);
+    float lee = 0.0f;
     if (term_count(record) == 0)
         return;
     for (int n = 0; n < term_count(record); ++n) {
@@ -31,11 +32,12 @@ void main() {
             return;
         const int from = cell_index(term.cell - push.shift);
         now_there += term.weight * windrow_slipped(velocity[from + slot * field].xyz, term.normal, term.wall);
+        lee += term.weight * velocity[from + slot * field].w;
         ago_there += term.weight * windrow_slipped(velocity[from + (1 - slot) * field].xyz, term.normal, term.wall);
         held += term.weight * windrow_slipped(history[from].xyz, term.normal, 0.0f);
     }
     const int at = cell_index(cell);
-    velocity[at + slot * field] = vec4(now_there, 0.0f);
+    velocity[at + slot * field] = vec4(now_there, lee);
     if (push.past == 0)
         return;
     velocity[at + (1 - slot) * field] = vec4(ago_there, 0.0f);
