@@ -161,8 +161,8 @@ inline std::vector<Scenario> scenarios(bool whole) {
                         [](WindControl& wind, int n) {
                             must(wind.follow({0.11 * n, 0.03 * n, -0.07 * n}));
                         }});
-    for (const std::string name :
-         {"drag", "drag_in_gusts", "drag_in_rows", "drag_of_stable_fluids", "drag_over_rough_ground", "drag_walk"})
+    for (const std::string name : {"drag", "drag_in_gusts", "drag_in_rows", "drag_of_stable_fluids", "drag_over_rough_ground",
+                                   "drag_walk", "drag_walk_in_calm_air"})
         rows.push_back(scenario_parts::drag_scenario(name));
     // A host whose world floats: box, bodies, wakes, ground and gusts move with it.
     rows.push_back({.name = "shifted_origin",

@@ -351,6 +351,7 @@ class Air {
     CellIndex reading_origin_{0};                   ///< of the window that it was made for
     DragCells drag_{};                              ///< of the last step
     CellIndex drag_origin_{0};                      ///< of the window that it is of
+    glm::ivec3 drag_torus_{0};                      ///< of the fields then
     bool reading_stale_ = true;
     Window window_{};                 ///< of the last command
     std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries

@@ -15,8 +15,13 @@ void Air::renew_drag(VkCommandBuffer commands, const CellStep& step) {
     const bool plants_differ = step.drag_change.any() || drag_.any() != step.drag.any() ||
                                (step.drag.any() && drag_origin_ != step.window->origin_cells);
     reading_stale_ = reading_stale_ || (plants_differ && reading_maker_.law().acts());
+    // Its cells are where the fields' are, which only a shift of the cells moves: calm air is filled anew in the new box.
+    const glm::ivec3 cells = config_.cells;
+    const auto turned = glm::ivec3((step.window->origin_cells - drag_origin_) % CellIndex(cells)) - (torus_ - drag_torus_);
+    drag_stale_ = drag_stale_ || turned % cells != glm::ivec3(0);
     drag_ = step.drag;
     drag_origin_ = step.window->origin_cells;
+    drag_torus_ = torus_;
     holds_drag_ = false;
     drag_stale_ = drag_stale_ || step.drag_change.whole;
     if (!step.drag.any()) {

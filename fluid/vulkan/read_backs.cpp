@@ -121,6 +121,7 @@ void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& 
     slot.pending = true;
     slot.ticked = air.stepped();
     slot.recording = recording_;
+    recorded_any_ = true;
 }
 
 Result<bool> ReadBacks::take(const Air& air, int number) {

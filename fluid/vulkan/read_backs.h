@@ -43,6 +43,7 @@ class ReadBacks {
     /// Entry of Fields::slots that `record` would use.
     [[nodiscard]] int next() const { return slots_[static_cast<std::size_t>(last_)].reading; }
     void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame, const ReadPlaces& places);
+    [[nodiscard]] bool recorded_any() const { return recorded_any_; }
     /// False where nothing waits there, or what is newer was taken already. The error: its memory could not be made visible to
     /// the host; it waits on.
     [[nodiscard]] Result<bool> take(const Air& air, int slot);
@@ -90,6 +91,7 @@ class ReadBacks {
     int last_ = -1, before_last_ = -1; ///< slots of the last two recordings
     std::optional<glm::ivec3> low_;    ///< of the last recording, with ReadBack::box
     std::uint64_t recording_ = 0, taken_recording_ = 0;
+    bool recorded_any_ = false;
     AirReport report_;
     std::uint64_t tick_ = 0;
     std::int64_t repaired_ = 0, limited_ = 0; ///< cells that were read back and not taken yet

@@ -54,7 +54,8 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
     if (std::exchange(cells.shows_anew, false)) // the frame before this one is this one too
         textures.written = 0;
     textures.current ^= 1;
-    if (textures.written < 2) // the set that no frame was written to yet
+    // The set that no frame was written to yet; a wind that was loaded asleep is read once.
+    if (textures.written < 2 || !read_backs.recorded_any())
         cells.blend = cells.blend.value_or(1.0f);
     // A pause between ticks changes nothing.
     const bool changed = cells.blend && (frame.dt > 0.0 || asked_ || !core.frames || read_backs.frame() == nullptr);

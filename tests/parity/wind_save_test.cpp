@@ -252,6 +252,20 @@ TEST_F(WindSaves, APauseAfterLoadPutsNoAirToSleep) {
     report("paused_after_load", pair, 1e-5);
 }
 
+TEST_F(WindSaves, AreReadWhileTheySleep) {
+    auto cpu = windrow::Wind::create({.cells = {8, 6, 7}});
+    ASSERT_TRUE(cpu);
+    for (int n = 0; n < 3; ++n)
+        (void)cpu->advance(1.0 / 30.0);
+    ASSERT_TRUE(cpu->diagnostics().asleep);
+    Wind wind = load(*cpu->save());
+    for (int n = 0; n < 2; ++n)
+        record(wind, 1.0 / 30.0, true);
+    const auto cells = wind.cells();
+    ASSERT_TRUE(cells) << cells.error();
+    EXPECT_EQ(apart(*cells, cpu->field(), 1.0), 0.0);
+}
+
 // What is read back and the cells in obstacles are of one place, also after a change that waits for the next recording.
 TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
     auto wind = Wind::create(sharing_host(), {.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 0.0f}}, k_settings);
