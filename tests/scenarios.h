@@ -263,6 +263,24 @@ inline std::vector<Scenario> scenarios(bool whole) {
          .step = [](WindControl& wind,
                     int n) { must(wind.obstacles().move(obstacle_id(), glm::dvec3(0.02 - 0.447 * (n + 1.0), 0.13, 0.06))); },
          .steps = 8});
+    // It closes faces in some sub-steps and none in others.
+    rows.push_back({.name = "ball_smaller_than_a_cell_beside_a_vent",
+                    .config =
+                        [](Config& c) {
+                            c.ambient = {0.0f, 0.0f, 0.0f};
+                            for (Boundary* side : {&c.boundaries.x_low, &c.boundaries.x_high, &c.boundaries.y_low})
+                                side->kind = BoundaryKind::free_slip;
+                        },
+                    .begin =
+                        [](WindControl& wind) {
+                            must(wind.obstacles().add({.position = {1.0, 0.0, 0.0}, .shape = Sphere{0.3f}}));
+                            must(wind.motors().add(OmniMotor{.position = {-1.0, 0.0, 1.0}, .speed = 6.0f}));
+                        },
+                    .step =
+                        [](WindControl& wind, int n) {
+                            must(wind.obstacles().move(obstacle_id(), {0.5 - 0.5 * n, 0.0, 0.1 * (n + 1.0)}));
+                        },
+                    .steps = 8});
     // What a body leaves takes the lee of the air beside it.
     rows.push_back(
         {.name = "lee_behind_a_ball_that_moves",

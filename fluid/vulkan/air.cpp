@@ -310,6 +310,7 @@ void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     case Kind::add_wind:
         return adjust(commands, change);
     case Kind::fill:
+        first_sources_ = true;
         begin_anew(commands);
         return place_all(commands, WINDROW_PLACE_AIR | WINDROW_PLACE_SOURCE_FLOW, WINDROW_PLACE_AMBIENT);
     default:
@@ -440,6 +441,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         }
         dispatch(commands, Pass::source_flow);
         barrier(k_compute, k_compute);
+        first_sources_ = false;
     }
     if (plans) {
         dispatch(commands, Pass::plan);
@@ -457,7 +459,11 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
             uncover(commands, n);
             place_obstacles(commands, step.obstacles, early(n));
             renew_layer(commands, step, true);
-            around = around_obstacles(true); // rooms may have come or gone
+            around = around_obstacles(true); // rooms may have come or gone, and bodies met their first cell
+            if (const int flags = (block.flags & ~SolidTables::k_flags) | obstacle_flags(); flags != block.flags) {
+                block.flags = flags;
+                write_step(commands, block, *step.ambient, step.tile);
+            }
         }
         sealed_rooms_ = std::max(sealed_rooms_, solids_ ? solids_->solids().squeezed() : 0);
         const auto stages = passes_.substep(diffusion, rehearses && n == 0 ? around_obstacles(false) : around);

@@ -146,7 +146,7 @@ class Air {
     [[nodiscard]] std::span<const std::byte> read(int slot) const;
     /// What acted on a body in the last tick of a slot's recording: the sums of that tick.
     [[nodiscard]] PressurePush push_on(int slot, int body) const;
-    /// Bodies of the last tick that was recorded, in the order of the device, and its duration.
+    /// Bodies of the last tick that was recorded, in the order of the device, and its duration; none where none meets a cell.
     [[nodiscard]] std::span<const detail::PlacedObstacle> bodies() const;
     [[nodiscard]] double step_duration() const { return step_duration_; }
     /// How the last `show` showed cells; null: as they are. The part of its box that they are.
@@ -358,7 +358,8 @@ class Air {
     glm::ivec3 torus_{0};             ///< WindrowStep::torus
     std::optional<CellChange> shift_; ///< the last one, whose exposed cells the next tick's first pass writes
     bool fresh_ = true;
-    bool keeps_ = false;   ///< the air of the tick before is the velocity, which the next tick's first pass keeps
+    bool first_sources_ = false; ///< the next flow of volume sources follows none
+    bool keeps_ = false;         ///< the air of the tick before is the velocity, which the next tick's first pass keeps
     bool counted_ = false; ///< the last sub-step has guarded the air and found its largest speed, and nothing changed it since
     bool cleared_ = false;
     bool stepped_ = false; ///< since `begin`

@@ -238,7 +238,8 @@ Passes::Around Air::around_sources() const {
             .one_sided = false,
             .rooms = false,
             .sealed = !solids_->solids().sealed_parts().empty(),
-            .loads = finds_forces()};
+            .loads = finds_forces(),
+            .first_sources = first_sources_};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

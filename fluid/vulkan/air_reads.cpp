@@ -97,7 +97,7 @@ PressurePush Air::push_on(int slot, int body) const {
 }
 
 std::span<const detail::PlacedObstacle> Air::bodies() const {
-    return solids_ ? solids_->solids().bodies() : std::span<const detail::PlacedObstacle>();
+    return solids_ && solids_->any() ? solids_->solids().bodies() : std::span<const detail::PlacedObstacle>();
 }
 
 } // namespace windrow::vulkan

@@ -171,7 +171,7 @@ void Air::forget() {
     place_again_ = reading_stale_ = drag_stale_ = true;
     shapes_.reset();
     shift_.reset();
-    fresh_ = true;
+    fresh_ = first_sources_ = true;
     keeps_ = ordered_ = counted_ = false;
 }
 

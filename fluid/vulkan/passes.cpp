@@ -444,7 +444,9 @@ std::span<const Passes::Stage> Passes::source_solve(const Around& around) {
     around_.clear();
     add_pressure(around_, k_of_sources, around);
     if (around.loads)
-        around_.push_back({Pass::loads, WindrowLoadsPush{.substep = 0, .of_sources = 1}});
+        around_.push_back(
+            {Pass::loads,
+             WindrowLoadsPush{.substep = 0, .of_sources = around.first_sources ? WINDROW_FIRST_SOURCES : WINDROW_OTHER_SOURCES}});
     return around_;
 }
 

@@ -132,6 +132,7 @@ class Passes {
     struct Around {
         int solves = 0; ///< of the pressure; 0: there are none
         bool one_sided = false, rooms = false, sealed = false, loads = false;
+        bool first_sources = false; ///< of air that was filled since it had any
         friend bool operator==(const Around&, const Around&) = default;
     };
     /// A sub-step, in order, with as much diffusion as it may come to.

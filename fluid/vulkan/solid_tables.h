@@ -22,8 +22,9 @@ class SolidTables {
     void place(std::span<const detail::PlacedObstacle> obstacles, glm::ivec3 shift);
 
     [[nodiscard]] bool any() const { return solids_.any(); }
-    /// WINDROW_OBSTACLES and the like.
+    /// Of k_flags.
     [[nodiscard]] int flags() const;
+    static constexpr int k_flags = WINDROW_OBSTACLES | WINDROW_ROOMS | WINDROW_THIN | WINDROW_BODIES_MOVE;
     /// Whether reads may have to be one-sided.
     [[nodiscard]] bool one_sided() const { return (flags() & (WINDROW_THIN | WINDROW_ROOMS)) != 0; }
     [[nodiscard]] const Solids& solids() const { return solids_; }

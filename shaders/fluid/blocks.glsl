@@ -281,9 +281,11 @@ struct WindrowSurfacePush {
 };
 
 // loads.comp: what the pressure of a sub-step, or that of the sources, does to bodies.
+#define WINDROW_OTHER_SOURCES 1
+#define WINDROW_FIRST_SOURCES 2 // of air that was filled anew
 struct WindrowLoadsPush {
     int substep;
-    int of_sources; // 1, else 0
+    int of_sources; // 0: of a sub-step
 };
 
 // rooms.comp.

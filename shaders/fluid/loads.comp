@@ -81,7 +81,7 @@ void main() {
             const int history = solids.loads + WINDROW_LOAD * body + local, sources = history + WINDROW_PUSHED,
                       sum = sources + WINDROW_PUSHED, blast = sum + WINDROW_PUSHED;
             if (push.of_sources != 0) {
-                around_words[blast] = pushed - around_words[sources];
+                around_words[blast] = push.of_sources == WINDROW_FIRST_SOURCES ? pushed : pushed - around_words[sources];
                 around_words[sources] = pushed;
             } else {
                 WindrowPast p;

@@ -177,6 +177,8 @@ TEST_F(WindObstacles, ForcesAreThoseOfTheCpu) {
             bodies.push_back(add(pair, {.position = {9.0, 2.0, 3.0}, .shape = Cylinder{.radius = 1.2f, .half_length = 2.0f}}));
         if (n == 20)
             vent = pair.add(OmniMotor{.position = {0.5, 3.0, -1.0}});
+        if (n == 23) // the vent's flow begins anew
+            pair.reset();
         if (n == 28) {
             EXPECT_TRUE(pair.cpu.motors().remove(vent.first) && pair.device.motors().remove(vent.second));
         }
@@ -202,6 +204,24 @@ TEST_F(WindObstacles, ForcesAreThoseOfTheCpu) {
     const auto none = without.device.force_on(ball.second);
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error(), "no forces come back from the device: create the wind with Settings::forces.");
+}
+
+// It stands near enough to be placed, and meets no cell.
+TEST_F(WindObstacles, NoForceIsOnABodyBesideTheBox) {
+    TwoWinds pair = make({.cells = {12, 8, 10}, .ambient = {5.0f, 0.0f, 0.0f}}, 0, {.texel = Texel::single, .forces = 4});
+    const Ids inside = add(pair, {.shape = Sphere{2.0f}}),
+              beside = add(pair, {.position = {7.6, 0.0, 0.0}, .shape = Sphere{1.0f}});
+    for (int n = 0; n < 8; ++n) {
+        if (n == 4) {
+            EXPECT_TRUE(pair.cpu.obstacles().remove(inside.first) && pair.device.obstacles().remove(inside.second));
+        }
+        frame(pair, 1.0 / 30.0);
+        (void)pair.device.collect(0);
+        const auto on_cpu = pair.cpu.force_on(beside.first), on_device = pair.device.force_on(beside.second);
+        ASSERT_TRUE(on_cpu && on_device) << on_device.error();
+        EXPECT_EQ(on_cpu->force, glm::vec3(0.0f)) << n;
+        EXPECT_EQ(on_device->force, glm::vec3(0.0f)) << n;
+    }
 }
 
 TEST_F(WindObstacles, ViscousAirThatSticks) {
