@@ -298,6 +298,7 @@ inline std::vector<Scenario> scenarios(bool whole) {
          .step =
              [](WindControl& wind, int n) {
                  must(wind.obstacles().move(obstacle_id(), glm::dvec3(4.0 - 0.4 * (n + 1.0), 1.2, -1.0 + 0.1 * (n + 1.0))));
+                 must(wind.follow(glm::dvec3(-0.15, 0.0, 0.05) * static_cast<double>(n)));
              },
          .steps = 24});
     // Sealed air: a piston that fills a tube, and a closed box in which bodies move.

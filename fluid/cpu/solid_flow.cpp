@@ -157,7 +157,7 @@ void SolidFlow::extend_moved(std::span<glm::vec4> velocity, std::span<glm::vec4>
     else
         extend_by(std::array{velocity, before, history}, k_walls, map);
     for (const Solids::Ghost& ghost : solids_.ghosts())
-        if (const std::uint32_t at = map.place_of(ghost.cell); at != k_nowhere)
+        if (const std::uint32_t at = map.place_of(ghost.cell); at != k_nowhere && velocity[at].w >= Moved::k_missing)
             velocity[at].w = 0.0f;
 }
 
