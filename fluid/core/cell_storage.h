@@ -16,6 +16,7 @@
 #include "fluid/obstacle.h"
 #include "fluid/window.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -55,6 +56,8 @@ struct MeasuredSpeed {
     std::uint64_t tick = 0;
     float largest = 0.0f;
 };
+/// Of the last tick, and of those before it that a backend reports together.
+using MeasuredSpeeds = std::array<MeasuredSpeed, 5>;
 
 /// Rows of cells among plants: drag per metre, and heights of ground and top in cells above the box's low boundary.
 struct CanopyRows {
@@ -113,7 +116,7 @@ class CellStorage {
     /// The frame shown and the one before it become the air of now: of a wind that was reset.
     virtual void show_air() = 0;
     /// Of the newest tick whose speed the host knows.
-    [[nodiscard]] virtual MeasuredSpeed measured() const = 0;
+    [[nodiscard]] virtual MeasuredSpeeds measured() const = 0;
     /// Why the storage cannot hold such gusts.
     [[nodiscard]] virtual Result<void> check(const Gusts&) const { return {}; }
     /// The world's origin has moved, and with it all that the core has. No cell changes.

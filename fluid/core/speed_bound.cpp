@@ -150,9 +150,14 @@ void SpeedBound::note(const CellStep& step, const Box& box) {
     ticks_[++last_ % k_ticks] = {.rises = std::exchange(waiting_, {})};
 }
 
-void SpeedBound::note(const MeasuredSpeed& speed) {
-    if (speed.tick > 0 && speed.tick <= last_ && last_ - speed.tick < k_ticks)
-        ticks_[speed.tick % k_ticks].measured = speed.largest;
+void SpeedBound::note(const MeasuredSpeeds& speeds) {
+    for (const MeasuredSpeed& speed : speeds) {
+        if (speed.tick == 0 || speed.tick > last_ || last_ - speed.tick >= k_ticks)
+            continue;
+        float& measured = ticks_[speed.tick % k_ticks].measured;
+        if (measured < 0.0f || &speed == &speeds.front())
+            measured = speed.largest;
+    }
 }
 
 float SpeedBound::expected_after(std::uint64_t tick) const {

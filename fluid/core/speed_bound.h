@@ -9,9 +9,10 @@
 // Two decisions need one:
 //
 //   Sub-steps while obstacles move (`substeps`). Each sub-step has its own place of them, so that their number must be known before
-//   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago. With one
-//   tick a frame and two or three frames in flight a device has read it back by then, and so both take the same number; else it
-//   goes on from an older speed and may take more. While none moves, a backend counts the speed that it finds.
+//   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago. With at most
+//   four ticks in the frames in flight a device has read it back by then, and so both take the same number; else it goes on from an
+//   older speed and may take more. A report holds the speeds of the four ticks before its last one too. While none moves, a backend counts the
+//   speed that it finds.
 //
 //   Recording (`after`). A device chooses the number itself where none moves, but its host must record enough of them. The device
 //   reports two speeds, frames late: the largest component of u, and of its difference from the ambient wind A; the smaller of
@@ -31,7 +32,7 @@ namespace windrow {
 
 class WINDROW_INTERNAL SpeedBound {
   public:
-    /// Ticks after which a device has read back what it measured: two or three frames in flight.
+    /// Ticks after which a device has read back what it measured: two or three frames in flight, or a frame of four ticks.
     static constexpr std::uint64_t k_delay = 4;
 
     /// A change of the cells since the last tick.
@@ -42,8 +43,8 @@ class WINDROW_INTERNAL SpeedBound {
     void note_read(std::span<const glm::vec4> air, const AmbientWind& ambient, const Window& window);
     /// Begins a tick with what acts in it.
     void note(const CellStep& step, const Box& box);
-    /// [m/s] The largest component after a tick.
-    void note(const MeasuredSpeed& speed);
+    /// [m/s] The largest component after a tick. What is known of the ticks before it stays.
+    void note(const MeasuredSpeeds& speeds);
 
     /// Number of the tick that was noted last; the first is 1.
     [[nodiscard]] std::uint64_t tick() const { return last_; }

@@ -55,7 +55,8 @@ struct AirReport {
     float apart = 0.0f;             ///< [m/s] largest difference from ambient, in a component
     float pressure_residual = 0.0f; ///< around obstacles, as Diagnostics::pressure_solves
     int pressure_solves = 0;
-    double squares = 0.0; ///< sum of |u|^2
+    std::array<float, 4> largest_before{}; ///< [m/s] `largest_component` of the ticks before, the newest first
+    double squares = 0.0;                  ///< sum of |u|^2
     double divergence_squares = 0.0;
 };
 

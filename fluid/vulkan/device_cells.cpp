@@ -61,6 +61,16 @@ Result<void> DeviceCells::check(const Gusts& gusts) const {
     return {};
 }
 
+// What a loaded wind measured is in its snapshot.
+MeasuredSpeeds DeviceCells::measured() const {
+    const std::uint64_t last = read_backs_.tick();
+    const AirReport& report = read_backs_.report();
+    MeasuredSpeeds speeds{};
+    for (std::uint64_t n = 0; n < speeds.size() && n < last && last - n > loaded_tick_; ++n)
+        speeds[n] = {.tick = last - n, .largest = n == 0 ? report.largest_component : report.largest_before[n - 1]};
+    return speeds;
+}
+
 bool DeviceCells::materialise_gusts() {
     if (std::exchange(held_at_, wind_.sleep.drift) == wind_.sleep.drift)
         return false;

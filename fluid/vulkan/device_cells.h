@@ -53,11 +53,7 @@ class DeviceCells final : public CellStorage {
     void show(const FrameBlend& blend) override;
     void show_air() override { shows_anew = true; }
     void shift_origin(const OriginShift& shift) override;
-    [[nodiscard]] MeasuredSpeed measured() const override {
-        if (read_backs_.tick() <= loaded_tick_) // what a loaded wind measured is in its snapshot
-            return {};
-        return {.tick = read_backs_.tick(), .largest = read_backs_.report().largest_component};
-    }
+    [[nodiscard]] MeasuredSpeeds measured() const override;
     [[nodiscard]] Result<void> check(const Gusts& gusts) const override;
     /// Changes wait for the next recording.
     [[nodiscard]] bool waits() const { return !queue_.empty() || new_sides_ || restored_; }

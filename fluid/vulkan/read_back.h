@@ -16,7 +16,7 @@ namespace windrow::vulkan {
 
 /// What is read back. All of it is as old as the frames in flight.
 enum class ReadBack : std::uint8_t {
-    none,   ///< the report alone: 48 bytes a frame
+    none,   ///< the report alone: 64 bytes a frame
     cells,  ///< all cells as floats, 16 bytes each: Wind::queried
     halves, ///< all cells as halves, 8 bytes each: Wind::queried_halves
     box,    ///< a box of cells around Frame::around, 16 bytes each: Wind::queried

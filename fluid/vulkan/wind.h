@@ -44,7 +44,7 @@ struct Settings {
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
     /// the one before it has ended. Rejected where the queue family has no timestamps (timestampValidBits is 0).
     bool timestamps = false;
-    /// What comes back to the host with each frame, besides the report of 48 bytes (read_back.h). Default none: a game that only
+    /// What comes back to the host with each frame, besides the report of 64 bytes (read_back.h). Default none: a game that only
     /// samples on the device reads nothing. Nothing comes back while the air sleeps, nor in a pause without changes, except for
     /// points that are given and a box that moved.
     ReadBack queries = ReadBack::none;

@@ -167,6 +167,9 @@ void main() {
         return;
     if (cell == ivec3(0) && push.substep == 0) { // what is found from here on is of the next tick
         control.fastest_component = control.largest_force = control.nonfinite_cells = control.fastest_in_rows = 0u;
+        for (int n = 3; n > 0; --n)
+            control.left_before[n] = control.left_before[n - 1];
+        control.left_before[0] = control.left_fastest;
         control.left_fastest = control.left_in_rows = 0u;
     }
     const int at = cell_index(cell);

@@ -124,9 +124,10 @@ struct WindrowControl {
     uint repaired_cells;        // of all ticks of the recording
     uint limited_cells;         // as these
     float diffused_time[64];    // [s] for which each sub-step diffuses; 0: left for later
+    uint left_before[4];        // `left_fastest` of the ticks before the last one, the newest first
 };
 
-// What the host reads of the last tick of a recording: 48 bytes.
+// What the host reads of the last tick of a recording: 64 bytes.
 struct WindrowReport {
     float largest_component;  // [m/s] after the tick
     float apart;              // [m/s] largest difference from the ambient wind in a component
@@ -139,6 +140,7 @@ struct WindrowReport {
     float pressure_residual;  // around obstacles: left of the divergence at their surfaces
     uint pressure_solves;     // direct solves of the last sub-step around obstacles
     uint unused_a, unused_b;
+    float largest_before[4]; // `largest_component` of the ticks before, the newest first: a recording may have several
 };
 
 // --- Obstacles (solids.glsl) -------------------------------------------------------------------------------------------------

@@ -72,4 +72,6 @@ void write_report(int count, int forces, int forces_at) {
     const bool any = has_obstacles();
     report.pressure_residual = any && around.wanted > 0.0f ? around.left / around.wanted : 0.0f;
     report.pressure_solves = any ? uint(around.solved) : 0u;
+    for (int n = 0; n < 4; ++n)
+        report.largest_before[n] = uintBitsToFloat(control.left_before[n]);
 }

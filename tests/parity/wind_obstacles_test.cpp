@@ -206,6 +206,22 @@ TEST_F(WindObstacles, ForcesAreThoseOfTheCpu) {
     EXPECT_EQ(none.error(), "no forces come back from the device: create the wind with Settings::forces.");
 }
 
+// Several ticks in a frame, of which the device's host learns together: each tick begins from the speeds that the CPU's does.
+TEST_F(WindObstacles, AHitchTakesTheSubstepsOfTheCpu) {
+    TwoWinds pair = make({.cells = {14, 10, 12}, .cell_size = 0.25f, .ambient = {2.0f, 0.0f, 0.5f}});
+    const Ids ball = add(pair, {.position = {-0.7, 0.0, 0.0}, .shape = Sphere{0.5f}});
+    double time = 0.0;
+    for (int n = 0; n < 24; ++n) {
+        if (n % 8 == 1) // its air slows down, past what a sub-step less carries
+            (void)pair.add(PressureMotor{.position = {0.6, 0.0, 0.3}, .radius = 0.8f, .speed = 40.0f});
+        const double dt = n % 2 == 0 ? 0.1 : 0.02;
+        time += dt;
+        move(pair, ball, {-0.7 + 0.4 * time, 0.0, 0.2 * std::sin(3.0 * time)});
+        frame(pair, dt);
+    }
+    report("hitch", pair, 1e-4);
+}
+
 // It stands near enough to be placed, and meets no cell.
 TEST_F(WindObstacles, NoForceIsOnABodyBesideTheBox) {
     TwoWinds pair = make({.cells = {12, 8, 10}, .ambient = {5.0f, 0.0f, 0.0f}}, 0, {.texel = Texel::single, .forces = 4});

@@ -46,7 +46,7 @@ class FakeCells final : public CellStorage {
     }
     void show_air() override { calls += 'r'; }
     void shift_origin(const OriginShift&) override { calls += 'o'; }
-    MeasuredSpeed measured() const override { return {.tick = last.tick, .largest = 3.0f}; }
+    MeasuredSpeeds measured() const override { return {{{.tick = last.tick, .largest = 3.0f}}}; }
     std::string take() { return std::exchange(calls, {}); }
 
     std::string calls;
