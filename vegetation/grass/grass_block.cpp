@@ -34,7 +34,8 @@ Block block_of(const GrassSettings& settings, const HeightMap& heights, const Pl
     block.eye.w = settings.min_width;
     block.reach = {settings.morph_from * settings.split_distance, settings.split_distance,
                    settings.fade_from * settings.cut_distance, settings.cut_distance};
-    block.ground = {settings.density, settings.jitter, std::min(settings.shadow_distance, settings.cut_distance), 0.0f};
+    block.ground = {settings.density, settings.jitter, std::min(settings.shadow_distance, settings.cut_distance),
+                    static_cast<float>(settings.far_vertices / 2)};
     block.cells = glm::ivec4(cells_of(heights, settings), settings.chunk_cells, static_cast<std::int32_t>(settings.seed));
     block.corners = glm::ivec4(heights.grid().corners, mask.grid().corners);
     block.spacing = glm::vec4(heights.grid().spacing, mask.grid().spacing);

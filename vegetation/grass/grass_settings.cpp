@@ -14,6 +14,8 @@ void check_rules(windrow::detail::Reasons& reasons, const FieldPath& path, const
     if (!(settings.split_distance < settings.cut_distance))
         reasons.add(FieldPath{&path, "split_distance"}, " is ", settings.split_distance, " m: give less than ",
                     FieldPath{&path, "cut_distance"}, ", which is ", settings.cut_distance, " m.");
+    if (settings.far_vertices == 6)
+        reasons.add(FieldPath{&path, "far_vertices"}, " is 6: give 5 or 7, rows of two and the tip.");
 }
 
 } // namespace windrow::vegetation::grass

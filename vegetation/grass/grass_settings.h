@@ -37,6 +37,7 @@ struct GrassSettings {
     float patch_size = 6.0f;
     float patch_height = 0.0f;
     int max_chunks = 160;
+    int far_vertices = 7;
     Culling culling = Culling::blades;
 
     static constexpr auto settings() {
@@ -51,9 +52,10 @@ struct GrassSettings {
             Setting("chunk_cells", &GrassSettings::chunk_cells, {8.0, 256.0},
                     "Blade places along a chunk's side: 96 are 16 m at 6 a metre. Larger chunks are fewer draws and coarser "
                     "culling."),
-            Setting("split_distance", &GrassSettings::split_distance, {1e-3, 1e4, "m"},
-                    "Distance of the eye where 15 vertices become 7; below cut_distance. At 25 a blade of 0.3 m has 14 pixels at "
-                    "1080p and 50 degrees, and the strip of 7 is off by a pixel at most."),
+            Setting(
+                "split_distance", &GrassSettings::split_distance, {1e-3, 1e4, "m"},
+                "Distance of the eye where 15 vertices become far_vertices; below cut_distance. At 25 a blade of 0.3 m has 14 "
+                "pixels at 1080p and 50 degrees, and a strip of 5 is off by 1.4 pixels at most, one of 7 by 1."),
             Setting("cut_distance", &GrassSettings::cut_distance, {1e-3, 1e4, "m"},
                     "Distance beyond which no blade is drawn. At 90 a blade has 4 pixels and the ground's colour takes over."),
             Setting("morph_from", &GrassSettings::morph_from, {0.0, 0.99},
@@ -85,6 +87,9 @@ struct GrassSettings {
             Setting("max_chunks", &GrassSettings::max_chunks, {1.0, 32767.0},
                     "Chunks that have memory at once. 160 are a view of 90 degrees to 90 m and its shadows; where a view needs "
                     "more, the farthest are left out and counted (GrassReport::left_out)."),
+            Setting("far_vertices", &GrassSettings::far_vertices, {5.0, 7.0},
+                    "Vertices of a far blade, 7, or 5, which differ in a picture. A layer with heads always has 7: three are the "
+                    "head's."),
             Setting("culling", &GrassSettings::culling,
                     "Culling of a frame. All draw the same picture; the others measure what it saves.", k_not_stored),
         };

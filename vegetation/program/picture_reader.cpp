@@ -68,6 +68,14 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
         if constexpr (std::same_as<Member, glm::ivec2>) {
             member = object.whole_pair({row.name, row.meaning}, member, row.range, "width, height");
             return true;
+        } else if constexpr (std::same_as<Member, render::Quality>) {
+            JsonObject quality = object.object({row.name, row.meaning});
+            const std::size_t faults_before = object.log().faults();
+            read_parts(quality, member, around);
+            if (object.log().faults() == faults_before)
+                check_read(quality, member);
+            quality.finish();
+            return true;
         } else if constexpr (std::same_as<Member, std::optional<windrow::GroundConfig>>) {
             const std::size_t faults_before = object.log().faults();
             windrow::scene::read_value(object, {row.name, row.meaning}, member, row.range);

@@ -123,6 +123,7 @@ struct Picture {
     std::optional<double> frames_per_second{};
     double warm_up = 2.0;
     CameraSource camera{};
+    render::Quality quality{};
     render::Sun sun{};
     render::Fog fog{};
     render::Clouds clouds{};
@@ -144,6 +145,7 @@ struct Picture {
             Setting("warm_up", &Picture::warm_up, {0.0, 3600.0, "s"},
                     "Of wind before the first picture, so that gusts have come in."),
             Setting("camera", &Picture::camera, "The eye."),
+            Setting("quality", &Picture::quality, "What is worked out once for several points of the picture."),
             Setting("sun", &Picture::sun, "The sun and the air that it shines through."),
             Setting("fog", &Picture::fog, "Fog that hides distant objects."),
             Setting("clouds", &Picture::clouds, "A level sheet of clouds that drifts and shades the ground."),

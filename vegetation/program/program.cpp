@@ -345,7 +345,8 @@ int main(int argument_count, char** arguments) {
         ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
-    app.add_option("--samples", options.scene_renderer.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
+    app.add_option("--samples", options.scene_renderer.samples, "a pixel: 1, 4, or 2 where the device can; default: 4")
+        ->check(CLI::IsMember({1, 2, 4}));
     app.add_option("--shutter", options.scene_renderer.shutter_deg,
                    "[deg] blurs what moves, as a camera does that is open for this angle of a "
                    "frame; 180 is a film's; default: the scene's")

@@ -82,6 +82,7 @@ Result<void> SceneRenderer::make() {
                                               .height = size_.y,
                                               .samples = settings_.samples,
                                               .shutter_deg = shutter_deg(),
+                                              .quality = picture.quality,
                                               .anchor = anchor_,
                                               .counts = settings_.counts});
     if (!renderer)
@@ -408,7 +409,7 @@ Result<void> SceneRenderer::draw(bool copied) {
         done = finished;
     renderer_->clock().collect(frame.slot);
     if (renderer_->counter())
-        counts_ = renderer_->counter()->collect(frame.slot);
+        counts_ = sum_of(renderer_->counter()->collect(frame.slot));
     ++frame_;
     return done;
 }

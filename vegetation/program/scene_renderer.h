@@ -40,7 +40,7 @@ struct SceneRendererSettings {
     std::optional<double> frames_per_second{}; ///< default: the scene's
     std::optional<double> warm_up{};           ///< [s] of wind before the first picture; default: the scene's
     std::optional<float> shutter_deg{};        ///< of RenderSettings; default: the scene's
-    int samples = 4;                           ///< a pixel, 1 or 4
+    int samples = 4;                           ///< a pixel: 1, 4, or 2 where the device can
     Show show = Show::plants;
     std::optional<Backend> backend{}; ///< what runs the air; default: by the device (AirSettings)
     bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs

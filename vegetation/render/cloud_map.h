@@ -1,10 +1,8 @@
 // Map of what the clouds leave of the sun about the eye, drawn once a frame for all that is lit (shaders/render/cloud_map.glsl).
 #pragma once
 
-#include "../vulkan/render_pass.h"
+#include "drawn_map.h"
 #include "frame_block.h"
-
-#include <optional>
 
 namespace windrow::vegetation::render {
 
@@ -20,18 +18,12 @@ class CloudMap {
 
     /// ViewBlock::cloud_map about an eye. The map's texels stay where they are in the clouds: nothing swims as the eye moves.
     [[nodiscard]] glm::vec4 block(const CloudBlock& clouds, const SkyBlock& sky, glm::vec3 eye) const;
-    /// Outside of a render pass, before all that is lit, with set 0 bound.
-    void record(VkCommandBuffer commands) const;
-
-    [[nodiscard]] VkImageView view() const { return image_.view; }
-    [[nodiscard]] VkSampler sampler() const { return sampler_; }
+    /// Drawn before all that is lit.
+    [[nodiscard]] const DrawnMap& map() const { return map_; }
 
   private:
     int texels_ = 0;
-    engine::Image image_{};
-    VkSampler sampler_ = VK_NULL_HANDLE;
-    std::optional<engine::RenderPass> pass_{};
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
+    DrawnMap map_;
 };
 
 } // namespace windrow::vegetation::render

@@ -84,7 +84,10 @@ windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& 
     reasons.add_all_of(validate(ground));
     if (!reasons.empty())
         return windrow::Error{reasons.take()};
-    auto field = grass::GrassField::create(device, ground.heights, mask, settings.field);
+    grass::GrassSettings placed_by = settings.field;
+    if (settings.look.head_from < 1.0f)
+        placed_by.far_vertices = 7;
+    auto field = grass::GrassField::create(device, ground.heights, mask, placed_by);
     if (!field)
         return field.failure();
     if (auto placed = field->place(ground.corner); !placed)

@@ -56,20 +56,23 @@ MotionBlur::MotionBlur(engine::Objects& objects, const Targets& images, VkDescri
         read(n, {maps_[n - 1].view, maps_[n - 1].view, maps_[n - 1].view});
     read(4, {images.drawn_light(), maps_[0].view, maps_[3].view});
 
-    const auto pipeline = [&](std::span<const std::uint32_t> fragment, const engine::RenderPass& pass) {
+    const auto pipeline = [&](std::span<const std::uint32_t> fragment, const engine::RenderPass& pass,
+                              std::span<const std::uint32_t> constants = {}) {
         return make_pipeline(objects, {.vertex = words::full_screen_vert,
                                        .fragment = fragment,
+                                       .constants = constants,
                                        .layout = layout_,
                                        .target = {pass.handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}});
     };
     const bool one = images.samples() == VK_SAMPLE_COUNT_1_BIT;
+    const auto samples = static_cast<std::uint32_t>(images.samples());
     const auto streak = one ? std::span<const std::uint32_t>(words::blur_streak_frag) : words::blur_streak_samples_frag;
     const Push all{.open = shutter_deg / 360.0f, .most = static_cast<float>(most_)};
     Push row = all, column = all, around = all;
     row.stride.x = row.count.x = most_;
     column.stride.y = column.count.y = most_;
     around.count = {3, 3};
-    steps_[0] = {&*passes_[0], pipeline(streak, *passes_[0]), inputs_[0], all};
+    steps_[0] = {&*passes_[0], pipeline(streak, *passes_[0], std::span(&samples, one ? 0 : 1)), inputs_[0], all};
     for (std::size_t n = 1; n < 4; ++n)
         steps_[n] = {&*passes_[n], pipeline(words::blur_longest_frag, *passes_[n]), inputs_[n],
                      std::array{row, column, around}[n - 1]};

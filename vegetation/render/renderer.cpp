@@ -1,8 +1,11 @@
 #include "vegetation/render/renderer.h"
 
+#include "fluid/core/message.h"
 #include "fluid/core/validation.h"
+#include "shader_words/cloud_noise.h"
 #include "shader_words/full_screen_vert.h"
 #include "shader_words/sky_frag.h"
+#include "shader_words/sky_map_frag.h"
 #include "shader_words/tone_frag.h"
 #include "vegetation/vulkan/calls.h"
 #include "vegetation/vulkan/descriptors.h"
@@ -18,7 +21,8 @@ namespace {
 namespace words = windrow::vulkan::shader_words;
 using windrow::detail::FieldPath;
 
-constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
+constexpr VkFormat k_sky_format = VK_FORMAT_R16G16B16A16_SFLOAT; // every device draws to it and filters it
+constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;        // every device draws to it and samples it
 // [px] Thinner parts are drawn as dots: four samples show a slanted line of 1 px as beads.
 constexpr float k_min_width = 1.5f;
 constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
@@ -28,10 +32,29 @@ constexpr std::array k_frame_bindings{
     engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
     engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT},
     engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS}};
-constexpr std::array k_light_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+// Of passes over the whole picture: toning reads the first.
+constexpr std::array k_light_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                                      engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
 VkExtent2D extent_of(const RenderSettings& settings) {
     return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)};
+}
+
+// Of the map of the sky; a texel that nothing reads where there is none.
+VkExtent2D sky_extent(const RenderSettings& settings) {
+    if (settings.quality.sky_pixels == 0)
+        return {1, 1};
+    const auto pixels = static_cast<std::uint32_t>(settings.quality.sky_pixels);
+    const VkExtent2D whole = extent_of(settings);
+    return {(whole.width + pixels - 1) / pixels, (whole.height + pixels - 1) / pixels};
+}
+
+VkSampleCountFlagBits samples_of(const engine::Device& device, const RenderSettings& settings) {
+    const auto samples = static_cast<VkSampleCountFlagBits>(settings.samples); // a bit of its own value
+    if (!draws_with(device, samples))
+        throw engine::Failure(windrow::detail::message("settings.samples is ", settings.samples, ", which ", device.name(),
+                                                       " cannot draw with: give 1 or 4."));
+    return samples;
 }
 
 float aspect_of(const RenderSettings& settings) {
@@ -44,9 +67,14 @@ windrow::Result<void> validate(const RenderSettings& settings) {
     return windrow::detail::validate_settings(settings, "settings");
 }
 
+void check_rules(windrow::detail::Reasons& reasons, const FieldPath& path, const Quality& quality) {
+    if (quality.light_bytes != 4 && quality.light_bytes != 8)
+        reasons.add(FieldPath{&path, "light_bytes"}, " is ", quality.light_bytes, ": give 4 or 8.");
+}
+
 void check_rules(windrow::detail::Reasons& reasons, const FieldPath& path, const RenderSettings& settings) {
-    if (settings.samples > 1 && settings.samples < 4)
-        reasons.add(FieldPath{&path, "samples"}, " is ", settings.samples, ": give 1 or 4, which every device has.");
+    if (settings.samples == 3)
+        reasons.add(FieldPath{&path, "samples"}, " is 3: give 1 or 4, which every device has, or 2.");
     if (settings.far_shadow < 1.01f * settings.near_shadow)
         reasons.add(FieldPath{&path, "far_shadow"}, " is ", settings.far_shadow, " m: give 1.01 times ",
                     FieldPath{&path, "near_shadow"}, " or more, which is ", settings.near_shadow, " m.");
@@ -65,9 +93,15 @@ windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& devi
 Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings)
     : device_(device), objects_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
       images_(objects_, {.extent = extent_of(settings),
-                         .samples = settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT,
+                         .samples = samples_of(device, settings),
+                         .light_bytes = settings.quality.light_bytes,
                          .blurred = settings.shutter_deg > 0.0f}),
-      clock_(objects_), wind_(objects_), cloud_map_(objects_, scene.clouds.cover > 0.0f ? settings.cloud_texels : 0) {
+      clock_(objects_), wind_(objects_), cloud_map_(objects_, scene.clouds.cover > 0.0f ? settings.quality.cloud_texels : 0),
+      sky_map_(objects_, k_sky_format, sky_extent(settings)),
+      cloud_noise_(objects_, {.texels = scene.clouds.cover > 0.0f ? settings.quality.cloud_noise_texels : 0,
+                              .texel = 1.0f / 64.0f,                   // k_cloud_noise_texel of noise_map.glsl
+                              .format = VK_FORMAT_R16G16B16A16_SFLOAT, // every device stores to it and filters it
+                              .fill = words::cloud_noise}) {
     if (settings.counts)
         counter_.emplace(objects_);
     const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
@@ -89,8 +123,11 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
     const std::array layouts{frame_layout_, wind_.layout(), light_layout_};
     full_screen_ = make_pipeline_layout(objects_, layouts);
     cloud_map_.make(objects_, full_screen_);
+    sky_map_.make(objects_, full_screen_, words::sky_map_frag);
+    const std::uint32_t mapped = settings.quality.sky_pixels > 0 ? 1 : 0;
     sky_ = make_pipeline(objects_, {.vertex = words::full_screen_vert,
                                     .fragment = words::sky_frag,
+                                    .constants = std::span(&mapped, 1),
                                     .layout = full_screen_,
                                     .target = images_.scene_target(),
                                     .writes_depth = false});
@@ -100,8 +137,8 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
                                      .target = images_.toned_target()});
     if (settings.shutter_deg > 0.0f)
         blur_.emplace(objects_, images_, frame_layout_, settings.shutter_deg);
-    terrain_.emplace(objects_, draw_targets(), scene);
-    drawables_.push_back(&*terrain_);
+    terrain_.emplace(objects_, draw_targets(), scene, settings.quality.ground_texels);
+    add(*terrain_, "ground");
 
     const glm::vec3 corner(scene.ground.corner - settings.anchor);
     const auto& grid = scene.ground.heights.grid();
@@ -120,15 +157,20 @@ void Renderer::make_sets(const Scene& scene) {
     light_layout_ = make_layout(objects_, k_light_bindings);
     engine::make_sets(objects_, frame_layout_, k_frame_bindings, sets_);
     engine::make_sets(objects_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
+    engine::make_sets(objects_, light_layout_, k_light_bindings, std::span(&sky_set_, 1));
     const engine::Buffer heights = Terrain::heights(objects_, scene.ground);
     blocks_ = objects_.frame_buffers(sizeof(ViewBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
-        point(device_, sets_[slot], 3, cloud_map_.view(), cloud_map_.sampler(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+        point(device_, sets_[slot], 3, cloud_map_.map().view(), cloud_map_.map().sampler(),
+              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
         point(device_, sets_[slot], 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, heights.buffer);
     }
-    point(device_, light_set_, 0, images_.light(), fetch_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    for (std::uint32_t binding = 0; binding < 2; ++binding) // Mesa 22.3's llvmpipe ends with a fault where one is left out
+        point(device_, light_set_, binding, images_.light(), fetch_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    point(device_, sky_set_, 0, sky_map_.view(), sky_map_.sampler(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    point(device_, sky_set_, 1, cloud_noise_.view(), cloud_noise_.sampler(), VK_IMAGE_LAYOUT_GENERAL);
 }
 
 DrawTargets Renderer::draw_targets() const {
@@ -191,10 +233,35 @@ void Renderer::draw_shadows(PassContext context) {
     const auto side = static_cast<std::uint32_t>(settings_.shadow_texels);
     for (context.cascade = 0; context.cascade < 2; ++context.cascade) {
         engine::set_area(context.commands, {{context.cascade * settings_.shadow_texels, 0}, {side, side}});
-        for (Drawable* const drawable : drawables_)
-            drawable->draw(context);
+        for (const NamedDrawable& each : drawables_)
+            each.drawable->draw(context);
     }
     vkCmdEndRenderPass(context.commands);
+}
+
+void Renderer::draw_colour(const PassContext& context) {
+    const VkCommandBuffer commands = context.commands;
+    images_.scene().begin(commands);
+    const auto figured = [&](const char* name, const auto& draw) {
+        if (counter_)
+            counter_->enter(commands, name);
+        draw();
+        if (counter_)
+            counter_->leave(commands);
+        if (settings_.apart)
+            clock_.mark(commands, name);
+    };
+    for (std::size_t n = 1; n < drawables_.size(); ++n)
+        figured(drawables_[n].name, [&] { drawables_[n].drawable->draw(context); });
+    // The ground after what stands on it: little of it is seen where grass stands. The sky last: only where nothing stands before it.
+    figured(drawables_.front().name, [&] { drawables_.front().drawable->draw(context); });
+    figured("sky", [&] {
+        const std::array sets{context.frame, context.wind, sky_set_};
+        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_);
+        vkCmdDraw(commands, 3, 1, 0, 0);
+    });
+    vkCmdEndRenderPass(commands);
 }
 
 PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind) {
@@ -225,35 +292,26 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     const PassContext context = context_of(frame, camera, wind);
     const VkCommandBuffer commands = frame.commands;
     clock_.mark(commands, "wind");
-    for (Drawable* const drawable : drawables_)
-        if (auto prepared = drawable->prepare(context); !prepared)
+    for (const NamedDrawable& each : drawables_)
+        if (auto prepared = each.drawable->prepare(context); !prepared)
             return prepared;
     clock_.mark(commands, "prepare");
     const std::array sets{context.frame, context.wind, light_set_};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
-    cloud_map_.record(commands);
+    cloud_map_.map().record(commands);
+    sky_map_.record(commands);
+    cloud_noise_.record(commands, glm::vec2(block_.clouds.place) + block_.clouds.place.w * glm::vec2(block_.eye.x, block_.eye.z));
     draw_shadows(context);
     clock_.mark(commands, "shadow");
 
-    images_.scene().begin(commands);
-    if (counter_)
-        counter_->enter(commands);
-    for (std::size_t n = 1; n < drawables_.size(); ++n)
-        drawables_[n]->draw(context);
-    drawables_.front()->draw(context); // the ground: little of it is seen where grass stands
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_); // last: only where nothing stands before it
-    vkCmdDraw(commands, 3, 1, 0, 0);
-    if (counter_)
-        counter_->leave(commands);
-    vkCmdEndRenderPass(commands);
+    draw_colour(context);
     clock_.mark(commands, "colour");
 
     if (blur_) {
         blur_->record(commands, context.frame);
         clock_.mark(commands, "blur");
-        vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
     }
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
     images_.toned().begin(commands);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, tone_);
     vkCmdDraw(commands, 3, 1, 0, 0);

@@ -11,7 +11,8 @@
 //     frames->finish(frame);
 //     (void)render::write_ppm((*renderer)->images().picture(), "frame.ppm");
 //
-// Passes: drawables prepare; what clouds leave of the sun, about the eye; both shadows into one map; light (RGBA16F) and motion
+// Passes: drawables prepare; what clouds leave of the sun, about the eye; the sky, a texel for
+// several pixels; both shadows into one map; light (RGBA16F) and motion
 // (RG16F) with depth, four samples resolved; the toned picture. With a shutter the light is blurred along the motion before it is
 // toned.
 #pragma once
@@ -20,6 +21,7 @@
 #include "cloud_map.h"
 #include "frame_block.h"
 #include "motion_blur.h"
+#include "noise_map.h"
 #include "stage_clock.h"
 #include "targets.h"
 #include "terrain.h"
@@ -37,6 +39,36 @@ inline constexpr Range k_shutter_range{0.0, 360.0, "deg", "open for no time: not
 inline constexpr const char* k_shutter_meaning =
     "Blurs what moves, as a film camera does that is open for this angle of a frame. 180 is a film's.";
 
+/// Maps that take what changes slowly over the picture off its pixels. The defaults look as none of them (docs/vegetation_cost.md).
+struct Quality {
+    int sky_pixels = 4;
+    int cloud_texels = 512;
+    int cloud_noise_texels = 1024;
+    int ground_texels = 1024;
+    int light_bytes = 8;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("sky_pixels", &Quality::sky_pixels,
+                    {.min = 0.0, .max = 16.0, .unit = "px", .zero = "no map: each pixel works it out"},
+                    "Pixels along a texel of the map of the clear sky. Sun and clouds are not in it."),
+            Setting("cloud_texels", &Quality::cloud_texels,
+                    {.min = 0.0, .max = 4096.0, .zero = "no map: each point works it out"},
+                    "A side of the map of the clouds' shadow. 512: within 0.1 % of the light."),
+            Setting("cloud_noise_texels", &Quality::cloud_noise_texels,
+                    {.min = 0.0, .max = 4096.0, .zero = "no map: each pixel works it out"},
+                    "A side of the map of the clouds about the eye, a 64th of their size each. What is beyond is worked out."),
+            Setting("ground_texels", &Quality::ground_texels,
+                    {.min = 0.0, .max = 4096.0, .zero = "no map: each pixel works it out"},
+                    "A side of the map of the ground's colour about the eye, 0.25 m each. What is beyond is worked out."),
+            Setting(
+                "light_bytes", &Quality::light_bytes, {4.0, 8.0},
+                "Of light a sample, 8 or 4. 4 are half of the memory that is written, and show bands in a clear sky; a device "
+                "that cannot draw so takes 8."),
+        };
+    }
+};
+
 struct RenderSettings {
     int width = 1280;
     int height = 720;
@@ -45,32 +77,34 @@ struct RenderSettings {
     float near_shadow = 12.0f;
     float far_shadow = 70.0f;
     float shutter_deg = 0.0f;
-    int cloud_texels = 512;
+    Quality quality{};
     glm::dvec3 anchor{0.0};
     bool counts = false;
+    bool apart = false;
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("width", &RenderSettings::width, {16.0, 8192.0, "px"}, "Of the picture."),
             Setting("height", &RenderSettings::height, {16.0, 8192.0, "px"}, "Of the picture."),
-            Setting("samples", &RenderSettings::samples, {1.0, 4.0}, "A pixel, 1 or 4."),
+            Setting("samples", &RenderSettings::samples, {1.0, 4.0}, "A pixel: 1, 4, or 2 where the device can."),
             Setting("shadow_texels", &RenderSettings::shadow_texels, {64.0, 4096.0}, "A side of each shadow."),
             Setting("near_shadow", &RenderSettings::near_shadow, {0.1, 1e5, "m"},
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
                     "Reach of the coarse one, above near_shadow; beyond it all is lit."),
-            Setting("cloud_texels", &RenderSettings::cloud_texels,
-                    {.min = 0.0, .max = 4096.0, .zero = "no map: each point works it out"},
-                    "A side of the map of the clouds' shadow. 512: within 0.1 % of the light."),
+            Setting("", &RenderSettings::quality, "What is worked out once for several points of the picture."),
             Setting("shutter_deg", &RenderSettings::shutter_deg, k_shutter_range, k_shutter_meaning),
             Setting("anchor", &RenderSettings::anchor, k_place_range,
                     "Origin of shader positions: within some km of the camera."),
             Setting("counts", &RenderSettings::counts,
-                    "Vertices and fragments of the colour pass are counted, where the device can."),
+                    "Vertices and fragments of the colour pass are counted by drawable, where the device can."),
+            Setting("apart", &RenderSettings::apart,
+                    "Each drawable of the colour pass has a time of its own, by its name. It waits for the one before it."),
         };
     }
 };
 [[nodiscard]] windrow::Result<void> validate(const RenderSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const Quality& quality);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const RenderSettings& settings);
 
 class Renderer {
@@ -82,7 +116,8 @@ class Renderer {
     /// Targets that drawables must match.
     [[nodiscard]] DrawTargets draw_targets() const;
     /// Drawn in each frame from now on, after the ground. It outlives the renderer's last recording.
-    void add(Drawable& drawable) { drawables_.push_back(&drawable); }
+    /// `name` is its row of figures, and outlives the renderer.
+    void add(Drawable& drawable, const char* name = "drawable") { drawables_.push_back({&drawable, name}); }
 
     /// Begins the frame's clock, before the wind is recorded.
     void begin(const engine::Frame& frame);
@@ -109,11 +144,16 @@ class Renderer {
     [[nodiscard]] const ViewBlock& frame_block() const { return block_; }
 
   private:
+    struct NamedDrawable {
+        Drawable* drawable = nullptr;
+        const char* name = "";
+    };
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
     void fill(const Camera& camera);
     /// The frame's blocks and descriptor sets, filled for this camera.
     [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const engine::SampledWind& wind);
     void draw_shadows(PassContext context);
+    void draw_colour(const PassContext& context);
     void make_sets(const Scene& scene);
 
     engine::Device& device_;
@@ -127,17 +167,19 @@ class Renderer {
     engine::WindSet wind_;
     engine::Image shadow_map_{};
     CloudMap cloud_map_;
+    DrawnMap sky_map_;
+    NoiseMap cloud_noise_;
     std::optional<engine::RenderPass> shadow_pass_{};
     VkSampler compare_ = VK_NULL_HANDLE, fetch_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout frame_layout_ = VK_NULL_HANDLE, light_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout full_screen_ = VK_NULL_HANDLE;
     VkPipeline sky_ = VK_NULL_HANDLE, tone_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
-    VkDescriptorSet light_set_ = VK_NULL_HANDLE;
+    VkDescriptorSet light_set_ = VK_NULL_HANDLE, sky_set_ = VK_NULL_HANDLE;
     engine::FrameBuffers blocks_{};
     std::optional<MotionBlur> blur_{};
     std::optional<Terrain> terrain_{};
-    std::vector<Drawable*> drawables_{};
+    std::vector<NamedDrawable> drawables_{};
     ViewBlock block_{};
     bool first_ = true;
 };

@@ -21,7 +21,7 @@ class StageClock {
     [[nodiscard]] bool counts() const { return tick_us_ > 0.0; }
     /// Begins a frame, outside of a render pass. What was recorded for its slot before is done: its times are taken now.
     void begin(VkCommandBuffer commands, int slot);
-    /// Ends the stage of this name, which began where the last one ended. The string must outlive the clock. At most 15 a frame.
+    /// Ends the stage of this name, which began where the last one ended. The string must outlive the clock. At most 159 a frame.
     void mark(VkCommandBuffer commands, const char* name);
     /// Takes the times of a slot before its turn comes: for a host that has waited for it.
     void collect(int slot);
@@ -29,7 +29,7 @@ class StageClock {
     [[nodiscard]] const std::vector<StageTime>& times() const { return times_; }
 
   private:
-    static constexpr std::uint32_t k_marks = 16;
+    static constexpr std::uint32_t k_marks = 160;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueryPool pool_ = VK_NULL_HANDLE;
     double tick_us_ = 0.0;

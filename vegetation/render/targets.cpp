@@ -9,7 +9,7 @@
 namespace windrow::vegetation::render {
 namespace {
 
-constexpr VkFormat k_light = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat k_light = VK_FORMAT_R16G16B16A16_SFLOAT, k_compact_light = VK_FORMAT_B10G11R11_UFLOAT_PACK32;
 constexpr VkFormat k_motion = VK_FORMAT_R16G16_SFLOAT;
 constexpr VkFormat k_picture = VK_FORMAT_R8G8B8A8_SRGB;
 constexpr VkImageUsageFlags k_drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
@@ -25,7 +25,21 @@ PictureF from_halves(VkExtent2D extent, int channels, int stored, const void* by
     return made;
 }
 
+VkFormat light_format(const engine::Device& device, int bytes) {
+    constexpr VkFormatFeatureFlags drawn =
+        VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+    VkFormatProperties properties{};
+    vkGetPhysicalDeviceFormatProperties(device.host().physical_device, k_compact_light, &properties);
+    return bytes == 4 && (properties.optimalTilingFeatures & drawn) == drawn ? k_compact_light : k_light;
+}
+
 } // namespace
+
+bool draws_with(const engine::Device& device, VkSampleCountFlagBits samples) {
+    const VkPhysicalDeviceLimits& limits = device.limits();
+    return (limits.framebufferColorSampleCounts & limits.framebufferDepthSampleCounts & limits.sampledImageDepthSampleCounts &
+            samples) != 0;
+}
 
 VkFormat depth_format(const engine::Device& device) {
     VkFormatProperties properties{};
@@ -35,14 +49,15 @@ VkFormat depth_format(const engine::Device& device) {
 }
 
 Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
-    : device_(objects.device()), extent_(settings.extent), samples_(settings.samples) {
+    : device_(objects.device()), extent_(settings.extent), samples_(settings.samples),
+      light_format_(light_format(device_, settings.light_bytes)) {
     const VkExtent2D extent = extent_;
     const VkSampleCountFlagBits samples = samples_;
     const bool one = samples == VK_SAMPLE_COUNT_1_BIT;
     const VkImageUsageFlags drawn = one ? k_read : k_drawn | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
     const VkFormat depth = depth_format(device_);
     const VkImageUsageFlags depth_more = settings.blurred ? VK_IMAGE_USAGE_SAMPLED_BIT : VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
-    light_ = objects.image({.format = k_light, .extent = extent, .samples = samples, .usage = drawn});
+    light_ = objects.image({.format = light_format_, .extent = extent, .samples = samples, .usage = drawn});
     motion_ = objects.image({.format = k_motion, .extent = extent, .samples = samples, .usage = drawn});
     depth_ = objects.image({.format = depth,
                             .extent = extent,
@@ -50,7 +65,8 @@ Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
                             .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | depth_more,
                             .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
     if (!one) {
-        light_one_ = objects.image({.format = k_light, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
+        light_one_ =
+            objects.image({.format = light_format_, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
         motion_one_ = objects.image({.format = k_motion, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
     }
     picture_ = objects.image({.format = k_picture,
@@ -66,7 +82,7 @@ Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
     constexpr VkImageLayout sampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
     std::vector<engine::Attachment> attachments{
         {.role = Role::colour,
-         .format = k_light,
+         .format = light_format_,
          .samples = samples,
          .view = light_.view,
          .kept = one}, // the sky covers it whole
@@ -84,13 +100,13 @@ Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
         attachments[0].end = sampled;
         attachments[1].end = motion_end;
     } else {
-        attachments.push_back({.role = Role::resolve, .format = k_light, .view = light_one_.view, .end = sampled});
+        attachments.push_back({.role = Role::resolve, .format = light_format_, .view = light_one_.view, .end = sampled});
         attachments.push_back({.role = Role::resolve, .format = k_motion, .view = motion_one_.view, .end = motion_end});
     }
     scene_.emplace(objects, extent, attachments);
     if (settings.blurred) {
-        blurred_light_ = objects.image({.format = k_light, .extent = extent, .usage = k_read});
-        const engine::Attachment light{.format = k_light, .view = blurred_light_.view, .end = sampled};
+        blurred_light_ = objects.image({.format = light_format_, .extent = extent, .usage = k_read});
+        const engine::Attachment light{.format = light_format_, .view = blurred_light_.view, .end = sampled};
         blurred_.emplace(objects, extent, std::span(&light, 1));
     }
     const engine::Attachment picture{.role = Role::colour, .format = k_picture, .view = picture_.view, .end = copied};
@@ -127,7 +143,16 @@ Picture8 Targets::picture() const {
 }
 
 PictureF Targets::light_picture() const {
-    return from_halves(extent_, 3, 4, device_.read_back(light_bytes_));
+    const void* const bytes = device_.read_back(light_bytes_);
+    if (light_format_ == k_light)
+        return from_halves(extent_, 3, 4, bytes);
+    PictureF made(static_cast<int>(extent_.width), static_cast<int>(extent_.height), 3);
+    const auto* packed = static_cast<const std::uint32_t*>(bytes);
+    for (std::size_t pixel = 0; pixel < made.values.size() / 3; ++pixel) {
+        const glm::vec3 light = glm::unpackF2x11_1x10(packed[pixel]);
+        std::memcpy(&made.values[3 * pixel], &light, sizeof light);
+    }
+    return made;
 }
 
 PictureF Targets::motion_picture() const {

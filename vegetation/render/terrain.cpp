@@ -1,5 +1,6 @@
 #include "vegetation/render/terrain.h"
 
+#include "shader_words/ground_map.h"
 #include "shader_words/terrain_frag.h"
 #include "shader_words/terrain_shadow_vert.h"
 #include "shader_words/terrain_vert.h"
@@ -9,20 +10,38 @@
 
 #include <array>
 #include <cstring>
+#include <glm/common.hpp>
 
 namespace windrow::vegetation::render {
 
 namespace words = windrow::vulkan::shader_words;
 
+namespace {
+
+// Of the ground's noise: a texel more than the ground has on each side, to filter by.
+NoiseMapRecipe map_of(const Ground& ground, int texels) {
+    constexpr float texel = 0.25f; // [m] k_ground_texel of noise_map.glsl
+    const glm::ivec2 end = glm::ivec2(glm::ceil(ground.heights.extent() / texel)) + 1;
+    return {.texels = texels,
+            .texel = texel,
+            .bounds = {glm::ivec2(-1), end},
+            .format = VK_FORMAT_R8G8B8A8_UNORM, // every device stores to it and filters it
+            .fill = words::ground_map};
+}
+
+} // namespace
+
 engine::Buffer Terrain::heights(engine::Objects& objects, const Ground& ground) {
     return filled(objects, ground.heights.heights(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene) : tiles_(scene.ground.heights) {
+Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels)
+    : tiles_(scene.ground.heights), map_(objects, map_of(scene.ground, map_texels)) {
     const Ground& ground = scene.ground;
     const std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
                               engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
-                              engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+                              engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
+                              engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
     const VkDescriptorSetLayout own = make_layout(objects, bindings);
     const std::array sets{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects, sets);
@@ -49,6 +68,7 @@ Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Sce
     const auto blades = windrow::Blades::create(scene.plants); // was validated
     const engine::Buffer grass = filled_block(objects, blades->block(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     point(objects.device(), set_, 2, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, grass.buffer);
+    point(objects.device(), set_, 3, map_.view(), map_.sampler(), VK_IMAGE_LAYOUT_GENERAL);
 }
 
 Result<void> Terrain::prepare(const PassContext& context) {
@@ -57,6 +77,7 @@ Result<void> Terrain::prepare(const PassContext& context) {
     const std::array views{block.view_projection, block.shadow[0], block.shadow[1]};
     for (std::size_t n = 0; n < views.size(); ++n)
         tiles_.find_seen(views[n], corner, draws_[n]);
+    map_.record(context.commands, glm::vec2(block.eye.x, block.eye.z) - glm::vec2(corner.x, corner.z));
     return {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drawable.h"
+#include "noise_map.h"
 #include "scene.h"
 #include "terrain_tiles.h"
 
@@ -11,8 +12,8 @@ namespace windrow::vegetation::render {
 
 class Terrain final : public Drawable {
   public:
-    /// Objects of the renderer's.
-    Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene);
+    /// Objects of the renderer's. `map_texels` is Quality::ground_texels.
+    Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels);
 
     /// The heights, for set 0.
     [[nodiscard]] static engine::Buffer heights(engine::Objects& objects, const Ground& ground);
@@ -23,6 +24,7 @@ class Terrain final : public Drawable {
 
   private:
     TerrainTiles tiles_;
+    NoiseMap map_;
     std::array<TerrainTiles::Draws, 3> draws_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;

@@ -74,4 +74,9 @@ void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkI
     write(device, set, binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, nullptr, &image);
 }
 
+void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view) {
+    const VkDescriptorImageInfo image{VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL};
+    write(device, set, binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, nullptr, &image);
+}
+
 } // namespace windrow::vegetation::engine

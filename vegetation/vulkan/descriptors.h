@@ -25,4 +25,7 @@ void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkD
 void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
            VkImageLayout layout);
 
+/// An image that shaders store to, in VK_IMAGE_LAYOUT_GENERAL.
+void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view);
+
 } // namespace windrow::vegetation::engine

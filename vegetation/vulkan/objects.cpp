@@ -118,8 +118,9 @@ VkSampler Objects::sampler(Sampler kind) {
     VkSamplerCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    if (kind == Sampler::depth) {
+    if (kind != Sampler::texels)
         info.magFilter = info.minFilter = VK_FILTER_LINEAR;
+    if (kind == Sampler::depth) {
         info.compareEnable = VK_TRUE;
         info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     }

@@ -22,8 +22,8 @@ struct ImageRecipe {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
-/// Kind of a sampler: single texels, or the fraction of four texels that are not nearer than a depth.
-enum class Sampler { texels, depth };
+/// Kind of a sampler: single texels, four of them mixed, or the fraction of four texels that are not nearer than a depth.
+enum class Sampler { texels, filter, depth };
 
 /// One buffer a frame in flight.
 using FrameBuffers = std::array<Buffer, k_frames_in_flight>;

@@ -70,7 +70,7 @@ void main() {
             lists[(list + 1u) * places - 1u - before.y] = place;
     }
     if (lane < 2u) {
-        const uint vertices = lane == 0u ? 2u * WINDROW_GRASS_NEAR_ROWS + 1u : 2u * WINDROW_GRASS_FAR_ROWS + 1u;
+        const uint vertices = lane == 0u ? 2u * WINDROW_GRASS_NEAR_ROWS + 1u : 2u * uint(grass.ground.w) + 1u;
         draws[2u * list + lane] = uvec4(vertices, lane == 0u ? counts.x : counts.y, 0u, 0u);
     }
 }

@@ -9,7 +9,7 @@
 //     vec3 bend = windrow_blade_bend(blade.kind, blade.root, vec3(0, 1, 0), blade.key, vec3(0.0));
 //     WindrowVertex v = grass_vertex(blade, bend, gl_VertexIndex);   // [m] from the anchor
 //
-// Triangle strips without a vertex buffer: 15 vertices near, 7 far. For motion vectors take windrow_blade_bend_previous and
+// Triangle strips without a vertex buffer: 15 vertices near, 5 or 7 far. For motion vectors take windrow_blade_bend_previous and
 // grass_vertex_previous: what moves by itself there is the eye, on which view bend, morph and fade depend.
 #ifndef GRASS_BLADE_GLSL
 #define GRASS_BLADE_GLSL
@@ -69,7 +69,7 @@ GrassBlade grass_blade_previous(uvec2 told, int instance) { return grass_blade_s
 WindrowVertex grass_vertex_seen(GrassBlade blade, vec3 bend, int vertex, vec3 eye) {
     vec3 sight = blade.root - grass.corner.xyz - eye;
     vec3 view = sight / max(length(sight), 1e-6);
-    vec2 row = windrow_grass_row(vertex, blade.level, blade.morph);
+    vec2 row = windrow_grass_row(vertex, blade.level, int(grass.ground.w), blade.morph);
     WindrowBladePlant plant = windrow_blade_plant(blade.kind, vec3(0.0, 1.0, 0.0), blade.hash, bend, view);
     WindrowVertex made = windrow_blade_vertex(blade.kind, plant, row.x, row.y);
     made.position += blade.root;
@@ -84,6 +84,8 @@ WindrowVertex grass_vertex_previous(GrassBlade before, vec3 bend, int vertex) {
 }
 
 // Height on the blade of a vertex, 0 at its root, 1 at its tip: for colours.
-float grass_height(GrassBlade blade, int vertex) { return windrow_grass_row(vertex, blade.level, blade.morph).x; }
+float grass_height(GrassBlade blade, int vertex) {
+    return windrow_grass_row(vertex, blade.level, int(grass.ground.w), blade.morph).x;
+}
 
 #endif

@@ -25,19 +25,24 @@ struct WindrowClouds {
     vec4 form;  // x cover, 0 (none) to 1 (all); y optical depth of the thickest; z asymmetry of a droplet's scattering; w 0
 };
 
-// Sum of octaves, 0 to 1.
-WINDROW_FN float windrow_octaves(vec2 at, int count) {
+// Sum of octaves, 0 to 1; where it is below `least`, 0 as soon as the octaves that are left cannot lift it there.
+WINDROW_FN float windrow_octaves_above(vec2 at, int count, float least) {
     float sum = 0.0f;
-    float all = 0.0f;
     float share = 1.0f;
+    float left = 2.0f - 1.0f / float(1 << (count - 1)); // of all shares
+    float all = left;
     for (int k = 0; k < count; ++k) {
         sum += share * windrow_place_noise(at);
-        all += share;
+        left -= share;
+        if (sum + left < least * all - 1e-4f)
+            return 0.0f;
         share *= 0.5f;
         at = 2.03f * vec2(0.8f * at.x - 0.6f * at.y, 0.6f * at.x + 0.8f * at.y) + 17.3f; // turned, so that no axis shows
     }
     return sum / all;
 }
+
+WINDROW_FN float windrow_octaves(vec2 at, int count) { return windrow_octaves_above(at, count, 0.0f); }
 
 // [m] Place on the sheet along a ray that climbs, from `from`; xz of it. `up` is the ray's y, above 0.
 WINDROW_FN vec2 windrow_cloud_place(WindrowClouds clouds, vec3 from, vec3 ray) {
@@ -48,14 +53,20 @@ WINDROW_FN vec2 windrow_cloud_place(WindrowClouds clouds, vec3 from, vec3 ray) {
 // Cell of the noise at a place on the sheet [m from the anchor].
 WINDROW_FN vec2 windrow_cloud_cell(WindrowClouds clouds, vec2 place) { return vec2(clouds.place) + place * clouds.place.w; }
 
-// Optical depth straight up through the sheet at a cell of the noise.
+// What octaves leave clear lies below this sum of them: they rarely leave 0.16 to 0.84.
+WINDROW_FN float windrow_cloud_clear_below(WindrowClouds clouds) { return 0.78f - 0.62f * clouds.form.x; }
+
+// Optical depth straight up through the sheet by a sum of octaves.
+WINDROW_FN float windrow_cloud_depth_by(WindrowClouds clouds, float f) {
+    float t = clamp((f - windrow_cloud_clear_below(clouds)) / 0.3f, 0.0f, 1.0f);
+    return clouds.form.y * t * t * (3.0f - 2.0f * t);
+}
+
+// The same at a cell of the noise.
 WINDROW_FN float windrow_cloud_depth_of(WindrowClouds clouds, vec2 cell, int octaves) {
     if (!(clouds.form.x > 0.0f))
         return 0.0f;
-    float f = windrow_octaves(cell, octaves);
-    float clear_below = 0.78f - 0.62f * clouds.form.x; // octaves rarely leave 0.16 to 0.84
-    float t = clamp((f - clear_below) / 0.3f, 0.0f, 1.0f);
-    return clouds.form.y * t * t * (3.0f - 2.0f * t);
+    return windrow_cloud_depth_by(clouds, windrow_octaves_above(cell, octaves, windrow_cloud_clear_below(clouds)));
 }
 
 // The same at a place on the sheet [m from the anchor].
@@ -80,17 +91,23 @@ WINDROW_FN float windrow_cloud_light(WindrowClouds clouds, vec3 to_sun, vec3 p) 
     return windrow_cloud_left(clouds, windrow_cloud_cell(clouds, windrow_cloud_place(clouds, p, to_sun)));
 }
 
-// xyz radiance of the clouds along a ray [unit vector] from the eye, w share of what lies behind that still shines through.
-// `sunlight` is the beam's irradiance, `around` the sky's radiance there.
-WINDROW_FN vec4 windrow_cloud_radiance(WindrowClouds clouds, vec3 to_sun, vec3 eye, vec3 ray, vec3 sunlight, vec3 around) {
-    if (!(clouds.form.x > 0.0f) || !(ray.y > 0.005f) || eye.y >= clouds.place.z)
-        return vec4(0.0f, 0.0f, 0.0f, 1.0f);
-    vec2 place = windrow_cloud_place(clouds, eye, ray);
-    float tau = windrow_cloud_depth(clouds, place, 5);
+// Whether a ray [unit vector] from the eye meets the sheet.
+WINDROW_FN bool windrow_cloud_seen(WindrowClouds clouds, vec3 eye, vec3 ray) {
+    return clouds.form.x > 0.0f && ray.y > 0.005f && eye.y < clouds.place.z;
+}
+
+// [m] Way along the sheet toward the sun's azimuth, after which the depth that shades a place is taken.
+WINDROW_FN vec2 windrow_cloud_sunward(WindrowClouds clouds, vec3 to_sun) {
+    return vec2(to_sun.x, to_sun.z) * (0.11f / (clouds.place.w * max(to_sun.y, 0.2f)));
+}
+
+// xyz radiance of a cloud that a ray meets, w fraction of what lies behind that still shines through. `sunlight` is the beam's
+// irradiance, `around` the sky's radiance there; depths straight up: `tau` by 5 octaves where the ray meets the sheet, `before` by
+// 4 sunward of it.
+WINDROW_FN vec4 windrow_cloud_shown(WindrowClouds clouds, vec3 to_sun, vec3 eye, vec3 ray, vec3 sunlight, vec3 around, float tau,
+                                    float before) {
     float slant = min(1.0f / ray.y, 6.0f);
     float passed = exp(-tau * slant);
-    vec2 toward = vec2(to_sun.x, to_sun.z) * (0.22f / (clouds.place.w * max(to_sun.y, 0.2f)));
-    float before = windrow_cloud_depth(clouds, place + 0.5f * toward, 4);
     float lit = 0.75f * exp(-0.9f * before) + 0.25f;
     float forward = windrow_haze_phase(dot(ray, to_sun), clouds.form.z) * exp(-tau);
     vec3 radiance = sunlight * (0.16f * lit + min(forward, 1.5f)) + 0.75f * around;
@@ -99,6 +116,20 @@ WINDROW_FN vec4 windrow_cloud_radiance(WindrowClouds clouds, vec3 to_sun, vec3 e
     float cover = (1.0f - passed) * near;
     vec3 shown = radiance * cover;
     return vec4(shown.x, shown.y, shown.z, 1.0f - cover);
+}
+
+// The same along any ray from the eye; 0, 0, 0 and 1 where it meets none.
+WINDROW_FN vec4 windrow_cloud_radiance(WindrowClouds clouds, vec3 to_sun, vec3 eye, vec3 ray, vec3 sunlight, vec3 around) {
+    vec2 place = vec2(0.0f);
+    float tau = 0.0f;
+    if (windrow_cloud_seen(clouds, eye, ray)) {
+        place = windrow_cloud_place(clouds, eye, ray);
+        tau = windrow_cloud_depth(clouds, place, 5);
+    }
+    if (!(tau > 0.0f))
+        return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    float before = windrow_cloud_depth(clouds, place + windrow_cloud_sunward(clouds, to_sun), 4);
+    return windrow_cloud_shown(clouds, to_sun, eye, ray, sunlight, around, tau, before);
 }
 
 #endif

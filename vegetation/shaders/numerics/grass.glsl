@@ -7,7 +7,7 @@
 //              the clumps', 4 whether it is left out afar.
 //   kept       a ball around the root, of the longest blade's length and half its width times this one's size, reaches into the
 //              frustum: no bend leaves it
-//   level      by the distance d of the eye from the root: near (15 vertices) for d < split, far (7) for d < cut, none beyond
+//   level      by the distance d of the eye from the root: near (15 vertices) for d < split, far (5 or 7) for d < cut, none beyond
 //   row        near rows slide along the blade toward the far rows while d goes from morph to split: h = h_near + m (h_far -
 //              h_near), so that both strips are one at d = split, vertex by vertex
 //   fade       length and width shrink to 0 while d goes from fade to cut: nothing pops there either
@@ -38,7 +38,6 @@
 #define WINDROW_GRASS_FAR 1
 #define WINDROW_GRASS_NONE 2
 #define WINDROW_GRASS_NEAR_ROWS 7
-#define WINDROW_GRASS_FAR_ROWS 3
 #define WINDROW_GRASS_SHRINK 0.35f // b: share of the distance's share over which a blade shrinks away
 
 // The same layout as grass::Block (vegetation/grass/grass_block.h), which fills it. Usable in a std140 block.
@@ -48,13 +47,13 @@ struct WindrowGrass {
     vec4 eye;        // xyz [m] from the field's corner; w [rad] least width of a drawn blade
     vec4 eye_before; // xyz a frame ago, w 0
     vec4 reach;      // [m] x morph, y split, z fade, w cut
-    vec4 ground;     // x [1/m] blade places a metre, y jitter; z [m] cut of the shadow's view, w 0
-    ivec4 cells;     // xy cells of the field along x and z, z cells along a chunk's side, w seed
-    ivec4 corners;   // xy of the heights along x and z, zw of the mask
-    vec4 spacing;    // [m] xy of the heights, zw of the mask
-    vec4 thin;       // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
-    vec4 clump;      // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
-    vec4 patches;    // x [1/m] patches a metre, y share of less height, zw 0
+    vec4 ground;   // x [1/m] blade places a metre, y jitter; z [m] cut of the shadow's view, w rows of two of a far blade, 2 or 3
+    ivec4 cells;   // xy cells of the field along x and z, z cells along a chunk's side, w seed
+    ivec4 corners; // xy of the heights along x and z, zw of the mask
+    vec4 spacing;  // [m] xy of the heights, zw of the mask
+    vec4 thin;     // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
+    vec4 clump;    // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
+    vec4 patches;  // x [1/m] patches a metre, y share of less height, zw 0
     // of the colour's view and of the shadow's: dot(xyz, p) + w >= 0 inside, p from the field's corner; xyz unit vectors
     vec4 planes[12];
     WindrowBlade blade;
@@ -150,16 +149,18 @@ WINDROW_FN int windrow_grass_level(float square, vec4 reach) {
     return square < reach.y * reach.y ? WINDROW_GRASS_NEAR : WINDROW_GRASS_FAR;
 }
 
-// Height on the blade and side, -1, 0 or 1, of a vertex of a strip: rows of two from the root, then the tip. `morph` 0 to 1.
-WINDROW_FN vec2 windrow_grass_row(int vertex, int level, float morph) {
-    int rows = level == WINDROW_GRASS_NEAR ? WINDROW_GRASS_NEAR_ROWS : WINDROW_GRASS_FAR_ROWS;
+// Height on the blade and side, -1, 0 or 1, of a vertex of a strip: rows of two from the root, then the tip. A far blade has
+// `far_rows` of them, 2 or 3. `morph` 0 to 1.
+WINDROW_FN vec2 windrow_grass_row(int vertex, int level, int far_rows, float morph) {
+    int rows = level == WINDROW_GRASS_NEAR ? WINDROW_GRASS_NEAR_ROWS : far_rows;
     if (vertex >= 2 * rows)
         return vec2(1.0f, 0.0f);
     int row = vertex / 2;
     float side = (vertex & 1) == 0 ? -1.0f : 1.0f;
     float h = float(row) / float(rows);
     if (level == WINDROW_GRASS_NEAR) {
-        float coarse = float(min(row / 2, WINDROW_GRASS_FAR_ROWS - 1)) / float(WINDROW_GRASS_FAR_ROWS);
+        int onto = row / ((WINDROW_GRASS_NEAR_ROWS + 1) / far_rows); // the far row that it becomes
+        float coarse = float(min(onto, far_rows - 1)) / float(far_rows);
         h = h * (1.0f - morph) + coarse * morph; // the coarse one to the bit at 1
     }
     return vec2(h, side);

@@ -28,7 +28,7 @@ float field_head() { return look.head.w; }
 
 // Height and side of this vertex. Where there is a head the upper three rows and the tip are its own.
 vec2 field_row(uint morph) {
-    vec2 row = windrow_grass_row(gl_VertexIndex, int(grass_draw.y & 1u), uintBitsToFloat(morph));
+    vec2 row = windrow_grass_row(gl_VertexIndex, int(grass_draw.y & 1u), int(grass.ground.w), uintBitsToFloat(morph));
     const float below = 4.0 / 7.0;
     if (field_head() < 1.0)
         row.x = row.x < below ? row.x * field_head() / below : mix(field_head(), 1.0, (row.x - below) / (1.0 - below));

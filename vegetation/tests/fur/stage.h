@@ -75,7 +75,7 @@ struct Stage {
         engine::must(frames->finish(frame));
         renderer->clock().collect(frame.slot);
         if (renderer->counter())
-            counted = renderer->counter()->collect(frame.slot);
+            counted = sum_of(renderer->counter()->collect(frame.slot));
     }
 
     /// Radiance of a pixel of the last frame, before exposure. Read `light` again after each frame.

@@ -77,7 +77,7 @@ inline bool shows(const Block& block, const Eye& eye, glm::ivec2 cell, const Bla
     const glm::vec3 load = windrow_blade_load(kind, up, hash, {5.0f, 0.0f, 0.0f});
     const WindrowBladePlant plant = windrow_blade_plant(kind, up, hash, load, (root - eye.at) / distance);
     for (int vertex = 0; vertex < 15; ++vertex) {
-        const glm::vec2 row = windrow_grass_row(vertex, WINDROW_GRASS_NEAR, 0.0f);
+        const glm::vec2 row = windrow_grass_row(vertex, WINDROW_GRASS_NEAR, 3, 0.0f);
         const glm::vec4 p =
             eye.view_projection * glm::vec4(root + windrow_blade_vertex(kind, plant, row.x, row.y).position, 1.0f);
         if (p.z >= 0.0f && p.z <= p.w && std::abs(p.x) <= p.w && std::abs(p.y) <= p.w)

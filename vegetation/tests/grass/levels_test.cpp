@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace windrow::vegetation::grass {
@@ -13,9 +14,20 @@ namespace {
 using namespace windrow::numerics;
 using windrow::test::Random;
 
-Block default_block() {
+Block default_block(int far_vertices = GrassSettings{}.far_vertices) {
     const HeightMap ground = *HeightMap::create({17, 17}, 1.0f, [](glm::vec2) { return 0.0f; });
-    return block_of({}, ground, *PlacementMask::create({17, 17}, ground.extent(), 1.0f));
+    return block_of({.far_vertices = far_vertices}, ground, *PlacementMask::create({17, 17}, ground.extent(), 1.0f));
+}
+
+int far_rows(const Block& block) {
+    return static_cast<int>(block.ground.w);
+}
+
+// The far vertex that one of the 15 near ones comes to lie on: rows 0 to 6 onto 0, 0, 1, 1, 2, 2, 2, or 0, 0, 0, 0, 1, 1, 1; tip on
+// tip.
+std::size_t far_twin(const Block& block, int vertex) {
+    const int rows = far_rows(block), row = std::min(vertex / 2 / (8 / rows), rows - 1);
+    return static_cast<std::size_t>(vertex == 14 ? 2 * rows : 2 * row + vertex % 2);
 }
 
 // The strip of one blade, as grass_blade.glsl draws it.
@@ -25,8 +37,8 @@ std::vector<WindrowVertex> strip(const Block& block, glm::uvec2 hash, glm::vec3 
     const WindrowBladePlant plant = windrow_blade_plant(kind, up, hash, windrow_blade_load(kind, up, hash, wind), view);
     const float morph = windrow_grass_ramp(distance, block.reach.x, block.reach.y);
     std::vector<WindrowVertex> made;
-    for (int vertex = 0; vertex < (level == WINDROW_GRASS_NEAR ? 15 : 7); ++vertex) {
-        const glm::vec2 row = windrow_grass_row(vertex, level, morph);
+    for (int vertex = 0; vertex < (level == WINDROW_GRASS_NEAR ? 15 : 2 * far_rows(block) + 1); ++vertex) {
+        const glm::vec2 row = windrow_grass_row(vertex, level, far_rows(block), morph);
         made.push_back(windrow_blade_vertex(kind, plant, row.x, row.y));
     }
     return made;
@@ -44,8 +56,11 @@ TEST(GrassLevels, SplitExactlyAtTheDistance) {
     EXPECT_EQ(windrow_grass_level(std::numeric_limits<float>::quiet_NaN(), block.reach), WINDROW_GRASS_NONE);
 }
 
-TEST(GrassLevels, AgreeVertexByVertexAtTheSplit) {
-    const Block block = default_block();
+class GrassFarRows : public testing::TestWithParam<int> {};
+
+TEST_P(GrassFarRows, AgreeVertexByVertexAtTheSplit) {
+    const Block block = default_block(GetParam());
+    const std::string figures = "grass/levels/" + std::to_string(GetParam()) + "_vertices/";
     Random random(3);
     double position = 0.0, normal = 0.0, unmorphed = 0.0;
     for (int n = 0; n < 10'000; ++n) {
@@ -54,9 +69,7 @@ TEST(GrassLevels, AgreeVertexByVertexAtTheSplit) {
         const auto fine = strip(block, hash, wind, block.reach.y, WINDROW_GRASS_NEAR);
         const auto coarse = strip(block, hash, wind, block.reach.y, WINDROW_GRASS_FAR);
         for (int vertex = 0; vertex < 15; ++vertex) {
-            // Near rows 0 to 6 come to lie on far rows 0, 0, 1, 1, 2, 2, 2; tip on tip.
-            const int row = std::min(vertex / 4, 2);
-            const std::size_t twin = vertex == 14 ? 6 : static_cast<std::size_t>(2 * row + vertex % 2);
+            const std::size_t twin = far_twin(block, vertex);
             const WindrowVertex& a = fine[static_cast<std::size_t>(vertex)];
             position = std::max(position, static_cast<double>(glm::length(a.position - coarse[twin].position)));
             normal = std::max(normal, static_cast<double>(glm::length(a.normal - coarse[twin].normal)));
@@ -64,23 +77,27 @@ TEST(GrassLevels, AgreeVertexByVertexAtTheSplit) {
         // What the eye would see jump without the morph: how far the far strip's edge lies from the near one's rows.
         const auto sharp = strip(block, hash, wind, std::nextafter(block.reach.x, 0.0f), WINDROW_GRASS_NEAR);
         for (int v = 0; v < 14; ++v) {
-            const float h = static_cast<float>(v / 2) / 7.0f * 3.0f;
-            const int low = std::min(static_cast<int>(h), 2);
+            const int last = far_rows(block) - 1;
+            const float h = static_cast<float>(v / 2) / 7.0f * static_cast<float>(far_rows(block));
+            const int low = std::min(static_cast<int>(h), last);
             const float t = h - static_cast<float>(low);
             const glm::vec3 from = coarse[static_cast<std::size_t>(2 * low + v % 2)].position,
-                            to = low == 2 ? coarse[6].position : coarse[static_cast<std::size_t>(2 * low + 2 + v % 2)].position;
+                            to = low == last ? coarse.back().position
+                                             : coarse[static_cast<std::size_t>(2 * low + 2 + v % 2)].position;
             unmorphed =
                 std::max(unmorphed,
                          static_cast<double>(glm::length(from + t * (to - from) - sharp[static_cast<std::size_t>(v)].position)));
         }
     }
-    WINDROW_EXPECT_FIGURE("grass/levels/position_jump_at_the_split_m", position, 0.0);
-    WINDROW_EXPECT_FIGURE("grass/levels/normal_jump_at_the_split", normal, 0.0);
+    WINDROW_EXPECT_FIGURE(figures + "position_jump_at_the_split_m", position, 0.0);
+    WINDROW_EXPECT_FIGURE(figures + "normal_jump_at_the_split", normal, 0.0);
     // What there would be to see of it without: 50 degrees on 1080 rows have 1158 pixels a radian.
-    windrow::test::figure("grass/levels/far_strip_from_the_curve_m", unmorphed);
-    windrow::test::figure("grass/levels/far_strip_from_the_curve_pixels_at_the_split",
+    windrow::test::figure(figures + "far_strip_from_the_curve_m", unmorphed);
+    windrow::test::figure(figures + "far_strip_from_the_curve_pixels_at_the_split",
                           1158.0 * unmorphed / static_cast<double>(block.reach.y));
 }
+
+INSTANTIATE_TEST_SUITE_P(Far, GrassFarRows, testing::Values(5, 7));
 
 // An eye that comes nearer by a centimetre moves no vertex by more than its part of morph and fade.
 TEST(GrassLevels, NothingJumpsAlongTheWay) {
@@ -108,7 +125,7 @@ TEST(GrassLevels, NothingJumpsAlongTheWay) {
             for (std::size_t v = 0; v < 15 && !before.empty(); ++v) {
                 // Both strips by the far one's vertices, where the level changes.
                 const bool changed = now.size() != before.size();
-                const std::size_t twin = !changed ? v : v == 14 ? 6 : 2 * std::min<std::size_t>(v / 4, 2) + v % 2;
+                const std::size_t twin = !changed ? v : far_twin(block, static_cast<int>(v));
                 if (v < before.size() && twin < now.size())
                     largest = std::max(largest, static_cast<double>(glm::length(now[twin].position - before[v].position)));
             }
@@ -124,15 +141,16 @@ TEST(GrassLevels, NothingJumpsAlongTheWay) {
 }
 
 TEST(GrassLevels, NearRowsNeverCross) {
-    for (float morph = 0.0f; morph <= 1.0f; morph += 1.0f / 64.0f) {
-        float before = 0.0f;
-        for (int vertex = 0; vertex < 15; vertex += 2) {
-            const float h = windrow_grass_row(vertex, WINDROW_GRASS_NEAR, morph).x;
-            EXPECT_GE(h, before);
-            before = h;
+    for (const int far_rows : {2, 3})
+        for (float morph = 0.0f; morph <= 1.0f; morph += 1.0f / 64.0f) {
+            float before = 0.0f;
+            for (int vertex = 0; vertex < 15; vertex += 2) {
+                const float h = windrow_grass_row(vertex, WINDROW_GRASS_NEAR, far_rows, morph).x;
+                EXPECT_GE(h, before);
+                before = h;
+            }
+            EXPECT_EQ(before, 1.0f);
         }
-        EXPECT_EQ(before, 1.0f);
-    }
 }
 
 // The view-dependent bend at the field's own default: seen from above, blades lie over.

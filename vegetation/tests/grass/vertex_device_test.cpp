@@ -59,6 +59,7 @@ TEST_F(GrassVertices, AreThoseOfTheCpu) {
     double position = 0.0, normal = 0.0;
     std::array<std::size_t, 2> compared{};
     std::size_t morphing = 0;
+    const int far_rows = static_cast<int>(block.ground.w);
     const int side = field->settings().chunk_cells;
     for (int chunk = 0; chunk < field->tree().chunks().x * field->tree().chunks().y; ++chunk) {
         const glm::ivec2 at(chunk % field->tree().chunks().x, chunk / field->tree().chunks().x);
@@ -81,8 +82,8 @@ TEST_F(GrassVertices, AreThoseOfTheCpu) {
                     kind, up, hash, windrow_blade_load(kind, up, hash, {6.0f, 0.0f, 0.0f}), (root - eye_here) / distance);
                 const float morph = windrow_grass_ramp(distance, block.reach.x, block.reach.y);
                 morphing += level == 0 && morph > 0.0f;
-                for (int vertex = 0; vertex < (level == 0 ? 15 : 7); ++vertex) {
-                    const glm::vec2 row = windrow_grass_row(vertex, static_cast<int>(level), morph);
+                for (int vertex = 0; vertex < (level == 0 ? 15 : 2 * far_rows + 1); ++vertex) {
+                    const glm::vec2 row = windrow_grass_row(vertex, static_cast<int>(level), far_rows, morph);
                     const WindrowVertex cpu = windrow_blade_vertex(kind, plant, row.x, row.y);
                     const std::size_t mine = 2 * (std::size_t{15} * n + static_cast<std::size_t>(vertex));
                     const glm::vec3 from_anchor = root + cpu.position + glm::vec3(corner - anchor);

@@ -44,6 +44,9 @@ TEST(PictureFault, ValuesOutOfRange) {
     expect_rejection(R"({"camera": {"view_deg": 179, "exposure": 0}})",
                      "a.json: $.picture.camera.view_deg is 179 deg: give 1 to 150 deg.\n"
                      "a.json: $.picture.camera.exposure is 0: give 1e-6 to 1e6.");
+    expect_rejection(R"({"quality": {"light_bytes": 6}})", "a.json: $.picture.quality.light_bytes is 6: give 4 or 8.");
+    expect_rejection(R"({"grass": [{"far_vertices": 6}]})",
+                     "a.json: $.picture.grass[0].far_vertices is 6: give 5 or 7, rows of two and the tip.");
     expect_rejection(R"({"sun": {"haze": -0.1}})", "a.json: $.picture.sun.haze is -0.1: give 0 to 0.5.");
     expect_rejection(R"({"grass": [{"density": 1e300}]})",
                      "a.json: $.picture.grass[0].density is 1e300 1/m: give 0.1 to 64 1/m.");

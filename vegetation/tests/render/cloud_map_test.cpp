@@ -22,7 +22,7 @@ PictureF shaded_ground(int cloud_texels, float cover) {
                                    .height = 180,
                                    .samples = 1,
                                    .shadow_texels = 64,
-                                   .cloud_texels = cloud_texels,
+                                   .quality = {.cloud_texels = cloud_texels},
                                    .anchor = k_shaded_corner});
     Camera camera; // the map ends within the picture
     camera.position = k_shaded_corner + glm::dvec3(1500.0, 70.0, 2600.0);

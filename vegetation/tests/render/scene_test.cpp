@@ -58,7 +58,8 @@ TEST(Scene, BadInputIsRejectedByName) {
         EXPECT_NE(judged.error().find(each.field), std::string::npos) << judged.error();
     }
     EXPECT_FALSE(validate(RenderSettings{.width = 0}));
-    EXPECT_FALSE(validate(RenderSettings{.samples = 2}));
+    EXPECT_FALSE(validate(RenderSettings{.samples = 3}));
+    EXPECT_FALSE(validate(RenderSettings{.quality = {.light_bytes = 6}}));
     EXPECT_FALSE(validate(RenderSettings{.near_shadow = 90.0f}));
     EXPECT_FALSE(validate(RenderSettings{.anchor = {static_cast<double>(nan), 0.0, 0.0}}));
 }
