@@ -122,6 +122,12 @@ Result<void> Instance::make(const Checks& checks) {
         info.flags |= k_enumerate_portability;
         extension_names.push_back(k_portability);
     }
+    for (const char* const name : checks.extensions) {
+        if (!lists(extensions, &VkExtensionProperties::extensionName, name))
+            return Error{detail::message("the Vulkan loader lacks ", name,
+                                         ": update it (Debian: libvulkan1) and the driver (mesa-vulkan-drivers).")};
+        extension_names.push_back(name);
+    }
     info.enabledExtensionCount = static_cast<std::uint32_t>(extension_names.size());
     info.ppEnabledExtensionNames = extension_names.data();
     VkResult result = create(&info, nullptr, &instance_);

@@ -21,6 +21,8 @@ namespace windrow::vulkan {
 struct Checks {
     bool validation = false;     ///< core and synchronisation
     bool gpu_validation = false; ///< GPU-assisted
+    /// Of the instance, rejected where the loader lacks one: those of a window's surface.
+    std::vector<const char*> extensions{};
 };
 
 /// Whether `enumerate(&count, properties)`, one of Vulkan's enumerations, lists a name.

@@ -311,8 +311,9 @@ OwnDevice::~OwnDevice() = default;
 Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     auto state = std::make_unique<State>();
     const bool validation = settings.validation || settings.gpu_validation;
-    auto instance = Instance::create({.validation = validation, .gpu_validation = settings.gpu_validation}, settings.on_message,
-                                     settings.get_instance_proc_addr);
+    auto instance = Instance::create(
+        {.validation = validation, .gpu_validation = settings.gpu_validation, .extensions = settings.instance_extensions},
+        settings.on_message, settings.get_instance_proc_addr);
     if (!instance)
         return instance.failure();
     state->instance = *std::move(instance);

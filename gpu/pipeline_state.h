@@ -39,11 +39,12 @@ struct GraphicsSettings {
     bool writes_depth = true;
     bool writes_colour = true;
     bool rasterises = true; ///< else vertices alone
+    bool blends = false;    ///< colours over what is there, by their alpha
     bool bias = false;      ///< a shadow's: depth is moved away from the light by the slope
 };
 
 /// Everything that vkCreateGraphicsPipelines takes: no vertex buffers, triangles without face culling, viewport and scissor dynamic,
-/// depth LESS_OR_EQUAL, no blending.
+/// depth LESS_OR_EQUAL, no blending unless asked.
 class GraphicsState {
   public:
     /// The stages are the caller's and outlive this.
@@ -69,6 +70,13 @@ class GraphicsState {
         if (settings.writes_colour)
             each.colorWriteMask =
                 VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+        if (settings.blends) {
+            each.blendEnable = VK_TRUE;
+            each.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+            each.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+            each.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+            each.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        }
         attachments_.assign(settings.colours, each);
         blends_.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
         blends_.attachmentCount = settings.colours;

@@ -62,6 +62,16 @@ SceneAir::State SceneAir::state_of_begin() const {
     return state;
 }
 
+void SceneAir::take_appended() {
+    state_.motors.resize(scene_->motors.size());
+    state_.obstacles.resize(scene_->obstacles.size());
+}
+
+void SceneAir::restore(const State& state) {
+    state_ = state;
+    take_appended();
+}
+
 Result<void> SceneAir::begin(WindControl& wind) {
     state_ = state_of_begin();
     if (auto placed = place_box(wind, 0.0); !placed)

@@ -54,6 +54,10 @@ class SceneAir {
     [[nodiscard]] ObstacleId obstacle(std::string_view name) const;
     /// Of the scene's obstacle at a place in its list; names none while that is not in the air.
     [[nodiscard]] ObstacleId obstacle(std::size_t place) const { return state_.obstacles.at(place); }
+    /// The same of a motor, until it ends.
+    [[nodiscard]] MotorId motor(std::size_t place) const { return state_.motors.at(place).id; }
+    /// After motors or obstacles were appended to the scene's lists: they come into the air when their time begins.
+    void take_appended();
 
     /// A motor of the scene as it stands now.
     struct ActingMotor {
@@ -83,7 +87,7 @@ class SceneAir {
     /// numbers of motors, obstacles or wakes; then nothing has changed.
     [[nodiscard]] Result<void> load(std::span<const std::byte> bytes);
 
-  private:
+    // --- The same in memory: a host that goes back in time --------------------------------------------------------------------
     /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.
     struct MovedMotor {
         MotorId id{};
@@ -98,6 +102,11 @@ class SceneAir {
         std::vector<ObstacleId> obstacles{}; ///< the same; none while it is not there
         std::vector<MotorId> wakes{};        ///< one for each of Scene::carried; none before it is placed
     };
+    [[nodiscard]] const State& state() const { return state_; }
+    /// Goes on where `state` was returned, with the wind of that moment. What was appended to the scene since then comes again.
+    void restore(const State& state);
+
+  private:
     template <class Archive>
     static void pass(Archive& archive, auto& state);
     [[nodiscard]] State state_of_begin() const;

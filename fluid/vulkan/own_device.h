@@ -42,7 +42,8 @@ class WINDROW_API OwnDevice {
         VkPhysicalDeviceFeatures wished{};         ///< features that are enabled where the device has them
         /// Of the device; a device without one is rejected. VK_KHR_portability_subset is added where the device lists it.
         std::vector<const char*> extensions{};
-        const void* next = nullptr; ///< chained to VkDeviceCreateInfo: features of the extensions
+        std::vector<const char*> instance_extensions{}; ///< of the instance: those of a window's surface
+        const void* next = nullptr;                     ///< chained to VkDeviceCreateInfo: features of the extensions
         /// A second queue for the wind beside the first: of a family that computes and cannot draw; where there is none, one more
         /// of the first family; where that has one queue, the first queue itself. Default: none.
         bool compute_queue = false;

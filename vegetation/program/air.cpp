@@ -44,6 +44,10 @@ Result<void> Air::record(const engine::Frame& frame, double dt) {
     return recorded;
 }
 
+Result<void> Air::show(const engine::Frame& frame) {
+    return cpu_ ? cpu_->record(frame.commands, frame.slot) : record(frame, 0.0);
+}
+
 engine::SampledWind Air::sampled() const {
     return cpu_ ? engine::SampledWind(*cpu_) : engine::SampledWind(*device_);
 }

@@ -32,6 +32,10 @@ class Air {
 
     /// The next `dt` [s], in ticks.
     Result<void> record(const engine::Frame& frame, double dt);
+    /// The air as it stands, which its host has stepped through `cpu`.
+    Result<void> show(const engine::Frame& frame);
+    /// The wind on the CPU; null where the device runs it.
+    [[nodiscard]] Wind* cpu() { return cpu_ ? &cpu_->air() : nullptr; }
     [[nodiscard]] engine::SampledWind sampled() const;
 
     [[nodiscard]] Backend backend() const { return cpu_ ? Backend::cpu : Backend::vulkan; }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <initializer_list>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -35,11 +36,15 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const PictureScene&
 }
 
 Result<void> SceneRenderer::make() {
-    auto device =
-        engine::Device::create({.staged = settings_.staged, .get_instance_proc_addr = settings_.get_instance_proc_addr});
-    if (!device)
-        return device.failure();
-    device_ = *std::move(device);
+    device_ = settings_.device;
+    if (device_ == nullptr) {
+        auto device =
+            engine::Device::create({.staged = settings_.staged, .get_instance_proc_addr = settings_.get_instance_proc_addr});
+        if (!device)
+            return device.failure();
+        own_device_ = *std::move(device);
+        device_ = own_device_.get();
+    }
     const Picture& picture = scene_.picture;
     windrow::Config air = scene_.air.air;
     // As `windrow run` ticks; and no frame is so long that the air would fall behind.
@@ -64,30 +69,8 @@ Result<void> SceneRenderer::make() {
     if (auto begun = scene_air_.begin(air_->control()); !begun)
         return begun;
 
-    render::Scene scene;
-    scene.camera = camera_at(scene_, 0.0);
-    scene.sun = picture.sun;
-    scene.fog = picture.fog;
-    scene.clouds = picture.clouds;
-    scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
-    if (!picture.grass.empty()) {
-        scene.look = picture.grass.front().drawn.look;
-        scene.plants = picture.grass.front().drawn.field.blade;
-        scene.ground.grown = picture.grass.front().mask.mask;
-    }
-    scene.wind.wind = air;
-    scene.wind.sampling = picture.sampling;
-    auto renderer = render::Renderer::create(*device_, scene,
-                                             {.width = size_.x,
-                                              .height = size_.y,
-                                              .samples = settings_.samples,
-                                              .shutter_deg = shutter_deg(),
-                                              .quality = picture.quality,
-                                              .anchor = anchor_,
-                                              .counts = settings_.counts});
-    if (!renderer)
-        return renderer.failure().after("$.picture: ");
-    renderer_ = *std::move(renderer);
+    if (auto made = make_renderer(); !made)
+        return made;
 
     if (picture.ground_memory) {
         auto memory = windrow::vulkan::GroundMemory::create(device_->host(), *picture.ground_memory);
@@ -104,22 +87,89 @@ Result<void> SceneRenderer::make() {
     if (!furred)
         return furred.failure();
     furred_ = *std::move(furred);
-    furred_->add_to(*renderer_);
     auto figures = Figures::create(*device_, targets, scene_, anchor_);
     if (!figures)
         return figures.failure();
     figures_ = *std::move(figures);
-    figures_->add_to(*renderer_);
     if (auto stand = make_bodies(targets); !stand)
         return stand;
     if (auto stand = make_obstacles(targets); !stand)
         return stand;
     if (auto seen = make_views(targets); !seen)
         return seen;
+    attach();
     auto frames = engine::Frames::create(*device_);
     if (!frames)
         return frames.failure();
     frames_ = *std::move(frames);
+    return {};
+}
+
+Result<void> SceneRenderer::make_renderer() {
+    const Picture& picture = scene_.picture;
+    render::Scene scene;
+    scene.camera = camera_at(scene_, 0.0);
+    scene.sun = picture.sun;
+    scene.fog = picture.fog;
+    scene.clouds = picture.clouds;
+    scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
+    if (!picture.grass.empty()) {
+        scene.look = picture.grass.front().drawn.look;
+        scene.plants = picture.grass.front().drawn.field.blade;
+        scene.ground.grown = picture.grass.front().mask.mask;
+    }
+    scene.wind.wind = air_->control().config();
+    scene.wind.sampling = picture.sampling;
+    render::RenderSettings drawn{.width = size_.x,
+                                 .height = size_.y,
+                                 .samples = settings_.samples,
+                                 .shutter_deg = shutter_deg(),
+                                 .quality = picture.quality,
+                                 .anchor = anchor_,
+                                 .counts = settings_.counts};
+    drawn.shadow_texels = settings_.shadow_texels.value_or(drawn.shadow_texels);
+    auto renderer = render::Renderer::create(*device_, scene, drawn);
+    if (!renderer)
+        return renderer.failure().after("$.picture: ");
+    renderer_ = *std::move(renderer);
+    return {};
+}
+
+void SceneRenderer::attach() {
+    renderer_->show(view_);
+    for (const auto& layer : grass_)
+        renderer_->add(*layer);
+    for (const auto& stand : trees_)
+        renderer_->add(*stand);
+    furred_->add_to(*renderer_);
+    figures_->add_to(*renderer_);
+    for (render::Drawable* const one :
+         std::initializer_list<render::Drawable*>{bodies_.get(), obstacles_.get(), arrows_.get(), streaks_.get()})
+        if (one != nullptr)
+            renderer_->add(*one);
+}
+
+Result<void> SceneRenderer::change(const Change& change) {
+    if (auto done = frames_->wait(); !done)
+        return done;
+    if (change.show && *change.show != settings_.show) {
+        settings_.show = *change.show;
+        arrows_.reset();
+        streaks_.reset();
+        if (auto seen = make_views(renderer_->draw_targets()); !seen)
+            return seen;
+    }
+    if (change.obstacles) {
+        obstacles_.reset();
+        moving_.clear();
+        if (auto stand = make_obstacles(renderer_->draw_targets()); !stand)
+            return stand;
+    }
+    size_ = change.size.value_or(size_);
+    // Its render passes and layouts are shared: what was made for the old one is drawn by the new one.
+    if (auto made = make_renderer(); !made)
+        return made;
+    attach();
     return {};
 }
 
@@ -133,7 +183,6 @@ Result<void> SceneRenderer::make_grass(const render::DrawTargets& targets) {
             return made.failure().after("$.picture.grass, " + layer.name + ": ");
         if (ground_)
             (*made)->set_ground(&*ground_);
-        renderer_->add(**made);
         grass_.push_back(*std::move(made));
     }
     return {};
@@ -153,7 +202,6 @@ Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
         auto made = trees::TreeStand::create(*device_, targets, settings, places, anchor_);
         if (!made)
             return made.failure().after("$.picture.trees: ");
-        renderer_->add(**made);
         trees_.push_back(*std::move(made));
     }
     return {};
@@ -172,7 +220,6 @@ Result<void> SceneRenderer::make_bodies(const render::DrawTargets& targets) {
     if (!made)
         return made.failure();
     bodies_ = *std::move(made);
-    renderer_->add(*bodies_);
     return {};
 }
 
@@ -206,7 +253,7 @@ Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
             continue;
         const render::Solid solid = render::obstacle_solid(body.obstacle.shape, drawn);
         const bool always = body.from <= 0.0 && body.until > scene_.air.duration;
-        if (always && !body.moves() && body.pivot == glm::dvec3(0.0)) {
+        if (!settings_.edited && always && !body.moves() && body.pivot == glm::dvec3(0.0)) {
             render::add(shapes.front(), solid, placed_at(body.obstacle, anchor_));
         } else {
             shapes.push_back(solid);
@@ -219,7 +266,6 @@ Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
     if (!made)
         return made.failure();
     obstacles_ = *std::move(made);
-    renderer_->add(*obstacles_);
     return {};
 }
 
@@ -237,15 +283,16 @@ void SceneRenderer::place_obstacles(double time) {
 }
 
 Result<void> SceneRenderer::make_views(const render::DrawTargets& targets) {
+    view_ = {};
     switch (settings_.show) {
     case Show::lean:
-        renderer_->show(render::GrassView::lean);
+        view_ = render::GrassView::lean;
         return {};
     case Show::levels:
-        renderer_->show(render::GrassView::levels);
+        view_ = render::GrassView::levels;
         return {};
     case Show::chunks:
-        renderer_->show(render::GrassView::chunks);
+        view_ = render::GrassView::chunks;
         return {};
     case Show::plants:
         return {};
@@ -267,7 +314,6 @@ Result<void> SceneRenderer::make_views(const render::DrawTargets& targets) {
     if (!made)
         return made.failure();
     arrows_ = *std::move(made);
-    renderer_->add(*arrows_);
     return {};
 }
 
@@ -278,7 +324,6 @@ Result<void> SceneRenderer::make_streaks(const render::DrawTargets& targets) {
     if (!made)
         return made.failure();
     streaks_ = *std::move(made);
-    renderer_->add(*streaks_);
     return {};
 }
 
@@ -381,37 +426,51 @@ Result<void> SceneRenderer::skip() {
     return blown ? submitted : blown;
 }
 
-Result<void> SceneRenderer::draw(bool copied) {
-    const double now = end_of(frame_);
-    const auto begun = frames_->begin();
-    if (!begun)
-        return begun.failure();
-    const engine::Frame frame = *begun;
+Result<void> SceneRenderer::place(double start, double end) {
+    renderer_->set_time(end);
+    move_figures(end, end - start);
+    place_bodies(end);
+    place_obstacles(end);
+    move_streaks(end, end - start);
+    set_time_step(end - start);
+    if (arrows_)
+        arrows_->place(glm::vec3(scene_.air.followed_point(end) - anchor_));
+    return furred_->move(end, end - start);
+}
+
+Result<void> SceneRenderer::record(const engine::Frame& frame, const Moment& moment) {
     renderer_->begin(frame);
-    auto done = blow(frame, start_of(frame_), now);
-    if (done) {
-        renderer_->set_time(now);
-        move_figures(now, now - start_of(frame_));
-        place_bodies(now);
-        place_obstacles(now);
-        move_streaks(now, now - start_of(frame_));
-        set_time_step(now - start_of(frame_));
-        if (arrows_)
-            arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));
-        done = furred_->move(now, now - start_of(frame_));
-    }
-    if (done) {
-        done = renderer_->record(frame, camera_at(scene_, now), air_->sampled());
-        if (done && copied)
-            renderer_->copy(frame);
-    }
-    if (const auto finished = frames_->finish(frame); done)
+    if (auto blown = moment.stepped ? air_->show(frame) : blow(frame, moment.start, moment.end); !blown)
+        return blown;
+    if (moment.stepped)
+        if (auto walked = walk(frame, moment.start, moment.end); !walked)
+            return walked;
+    if (auto placed = place(moment.start, moment.end); !placed)
+        return placed;
+    const render::Camera camera = moment.camera.value_or(camera_at(scene_, moment.end));
+    if (auto recorded = renderer_->record(frame, camera, air_->sampled()); !recorded)
+        return recorded;
+    if (moment.copied)
+        renderer_->copy(frame);
+    return {};
+}
+
+Result<void> SceneRenderer::draw(bool copied) {
+    const auto frame = frames_->begin();
+    if (!frame)
+        return frame.failure();
+    auto done = record(*frame, {.start = start_of(frame_), .end = end_of(frame_), .copied = copied});
+    if (const auto finished = frames_->finish(*frame); done)
         done = finished;
+    collect(*frame);
+    ++frame_;
+    return done;
+}
+
+void SceneRenderer::collect(const engine::Frame& frame) {
     renderer_->clock().collect(frame.slot);
     if (renderer_->counter())
         counts_ = sum_of(renderer_->counter()->collect(frame.slot));
-    ++frame_;
-    return done;
 }
 
 std::vector<render::StageTime> SceneRenderer::times() const {

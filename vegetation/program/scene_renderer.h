@@ -5,6 +5,14 @@
 //     while ((*scene_renderer)->frame() < scene->frame_count())
 //         if (auto drawn = (*scene_renderer)->draw(); drawn) write_png((*scene_renderer)->images().picture(), ...);
 //
+// A window has a device, a clock and a camera of its own, and frames that overlap:
+//
+//     auto player = program::SceneRenderer::create(scene, {.device = &device, .size = size, .edited = true});
+//     const engine::Frame frame = *(*player)->frames().begin();
+//     (void)(*player)->record(frame, {.start = t, .end = t + dt, .camera = eye});           // then what is drawn on top
+//     (void)(*player)->frames().submit(frame, {.wait = image_is_free, .done = image_is_drawn});
+//     (void)(*player)->change({.size = wider, .show = program::Show::arrows});              // between frames
+//
 // A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer.
 // The air runs the scene's fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
 // alike. Motors are placed once a frame, wakes swept along their way; one that begins or ends within a frame does so at the
@@ -49,6 +57,25 @@ struct SceneRendererSettings {
     std::optional<int> max_blades{};  ///< of each layer, looked at once a frame; default: the layer's own
     bool staged = false;              ///< engine::DeviceSettings::staged
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr; ///< engine::DeviceSettings::get_instance_proc_addr
+    engine::Device* device = nullptr;                           ///< the host's, which outlives the renderer; null: one of its own
+    std::optional<int> shadow_texels{};                         ///< of RenderSettings; default: its own
+    /// The host changes the scene between frames (`scene_changed`): each obstacle is a body of its own.
+    bool edited = false;
+};
+
+/// A frame of a host's own clock.
+struct Moment {
+    double start = 0.0, end = 0.0;          ///< [s] of the scene's time
+    std::optional<render::Camera> camera{}; ///< default: the scene's at the end
+    bool copied = false;                    ///< its pictures are for the host to read, once the frame is done
+    bool stepped = false;                   ///< the host has stepped the air to the end itself (`Air::cpu`)
+};
+
+/// What can change between frames; each default leaves it.
+struct Change {
+    std::optional<glm::ivec2> size{}; ///< [px]
+    std::optional<Show> show{};
+    bool obstacles = false; ///< some came or have another shape
 };
 
 /// Device memory by what it is for, [bytes].
@@ -71,6 +98,13 @@ class SceneRenderer {
     windrow::Result<void> draw(bool copied = true);
     /// Lets a frame's time pass without a picture.
     windrow::Result<void> skip();
+    /// Records a frame that the host has begun and will submit. Frames overlap: nothing is waited for.
+    windrow::Result<void> record(const engine::Frame& frame, const Moment& moment);
+    /// Between frames, once those in flight are done: other targets, views and obstacles. What has grown stays as it is.
+    windrow::Result<void> change(const Change& change);
+    [[nodiscard]] engine::Frames& frames() { return *frames_; }
+    [[nodiscard]] Air& air() { return *air_; }
+    [[nodiscard]] windrow::scene::SceneAir& scene_air() { return scene_air_; }
 
     /// Frames so far.
     [[nodiscard]] std::int64_t frame() const { return frame_; }
@@ -85,12 +119,21 @@ class SceneRenderer {
     [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
     [[nodiscard]] const Air& air() const { return *air_; }
     [[nodiscard]] const std::string& device() const { return device_->name(); }
+    [[nodiscard]] const render::Renderer& renderer() const { return *renderer_; }
+    /// [m] What positions in shaders count from.
+    [[nodiscard]] glm::dvec3 anchor() const { return anchor_; }
     [[nodiscard]] SceneRendererMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
 
   private:
     SceneRenderer(const PictureScene& scene, const SceneRendererSettings& settings);
     windrow::Result<void> make();
+    windrow::Result<void> make_renderer();
+    /// Hands the renderer all that is drawn, in a fixed order.
+    void attach();
+    /// Where all that moves is at a frame's end.
+    windrow::Result<void> place(double start, double end);
+    void collect(const engine::Frame& frame);
     windrow::Result<void> make_grass(const render::DrawTargets& targets);
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
     windrow::Result<void> make_bodies(const render::DrawTargets& targets);
@@ -118,7 +161,8 @@ class SceneRenderer {
     double frames_per_second_ = 30.0;
     glm::ivec2 size_{0};
     glm::dvec3 anchor_{0.0};
-    std::unique_ptr<engine::Device> device_{};
+    std::unique_ptr<engine::Device> own_device_{};
+    engine::Device* device_ = nullptr; ///< that, or the host's
     std::optional<Air> air_{};
     windrow::scene::SceneAir scene_air_;
     std::optional<windrow::vulkan::GroundMemory> ground_{};
@@ -133,6 +177,7 @@ class SceneRenderer {
     std::unique_ptr<render::WindArrows> arrows_{};
     std::unique_ptr<render::WindStreaks> streaks_{};
     std::unique_ptr<engine::Frames> frames_{};
+    render::GrassView view_{};
     std::int64_t frame_ = 0;
     render::VertexCounts counts_{};
 };

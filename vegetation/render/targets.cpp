@@ -69,10 +69,7 @@ Targets::Targets(engine::Objects& objects, const TargetSettings& settings)
             objects.image({.format = light_format_, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
         motion_one_ = objects.image({.format = k_motion, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
     }
-    picture_ = objects.image({.format = k_picture,
-                              .extent = extent,
-                              .samples = VK_SAMPLE_COUNT_1_BIT,
-                              .usage = k_drawn | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    picture_ = objects.image({.format = k_picture, .extent = extent, .samples = VK_SAMPLE_COUNT_1_BIT, .usage = k_read});
     const VkDeviceSize pixels = VkDeviceSize{extent.width} * extent.height;
     light_bytes_ = objects.buffer(engine::Use::readback, 8 * pixels, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
     motion_bytes_ = objects.buffer(engine::Use::readback, 4 * pixels, VK_BUFFER_USAGE_TRANSFER_DST_BIT);

@@ -37,6 +37,8 @@ class Targets {
     [[nodiscard]] const engine::RenderPass& toned() const { return *toned_; }
     [[nodiscard]] engine::PassTarget toned_target() const { return {toned_->handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}; }
     [[nodiscard]] VkImageView light() const { return shown_light().view; }
+    /// The toned picture, in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL after its pass; to be sampled by a window too.
+    [[nodiscard]] const engine::Image& toned_image() const { return picture_; }
 
     /// After both passes: copies all to the host.
     void copy(VkCommandBuffer commands) const;

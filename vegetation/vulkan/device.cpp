@@ -81,6 +81,8 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
                                           .on_message = settings.on_message,
                                           .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT,
                                           .wished = wished,
+                                          .extensions = settings.extensions,
+                                          .instance_extensions = settings.instance_extensions,
                                           .get_instance_proc_addr = settings.get_instance_proc_addr});
     if (!own)
         return own.failure();

@@ -45,6 +45,8 @@ struct DeviceSettings {
     bool staged = false;
     /// As vulkan::OwnDevice::Settings has it: null opens the system's loader.
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
+    /// Of a device that draws to a window: VK_KHR_swapchain, and of the instance those of the window's surface.
+    std::vector<const char*> extensions{}, instance_extensions{};
 };
 
 struct Buffer {

@@ -40,7 +40,7 @@ Result<Frame> Frames::begin() {
     });
 }
 
-Result<void> Frames::submit(const Frame& frame) {
+Result<void> Frames::submit(const Frame& frame, const Signals& signals) {
     return guarded([&] {
         must(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
         must(vkResetFences(objects_.device().handle(), 1, &done_[frame.slot]), "vkResetFences");
@@ -48,6 +48,12 @@ Result<void> Frames::submit(const Frame& frame) {
         info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
         info.commandBufferCount = 1;
         info.pCommandBuffers = &frame.commands;
+        constexpr VkPipelineStageFlags transfers = VK_PIPELINE_STAGE_TRANSFER_BIT;
+        info.waitSemaphoreCount = signals.wait != VK_NULL_HANDLE ? 1 : 0;
+        info.pWaitSemaphores = &signals.wait;
+        info.pWaitDstStageMask = &transfers;
+        info.signalSemaphoreCount = signals.done != VK_NULL_HANDLE ? 1 : 0;
+        info.pSignalSemaphores = &signals.done;
         must(vkQueueSubmit(objects_.device().queue(), 1, &info, done_[frame.slot]), "vkQueueSubmit");
         submitted_[frame.slot] = true;
     });

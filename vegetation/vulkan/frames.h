@@ -10,6 +10,12 @@ struct Frame {
     int slot = 0; ///< 0 to k_frames_in_flight - 1
 };
 
+/// Semaphores of a frame that goes to a window.
+struct Signals {
+    VkSemaphore wait = VK_NULL_HANDLE; ///< before transfers: the window's image is free
+    VkSemaphore done = VK_NULL_HANDLE; ///< signalled at the end: the image can be shown
+};
+
 class Frames {
   public:
     [[nodiscard]] static Result<std::unique_ptr<Frames>> create(Device& device);
@@ -21,7 +27,7 @@ class Frames {
     /// The next frame, recording; submit it, since it holds the uploads. What was recorded for its slot before is done. Errors,
     /// here and below: a device that is lost, or memory that is out.
     [[nodiscard]] Result<Frame> begin();
-    Result<void> submit(const Frame& frame);
+    Result<void> submit(const Frame& frame, const Signals& signals = {});
     /// Until all is done.
     Result<void> wait();
     /// Submits a frame, and waits until all is done.

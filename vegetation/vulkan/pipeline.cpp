@@ -45,6 +45,7 @@ VkPipeline make_alone(Objects& objects, const PipelineRecipe& recipe) {
                                        .tests_depth = recipe.target.depth,
                                        .writes_depth = recipe.writes_depth,
                                        .writes_colour = recipe.writes_colour,
+                                       .blends = recipe.blends,
                                        .bias = recipe.bias});
     return keep(objects, vkCreateGraphicsPipelines, state.info(), "vkCreateGraphicsPipelines");
 }
@@ -73,7 +74,7 @@ VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe) {
     key.add_words(recipe.vertex).add_words(recipe.fragment).add_words(recipe.constants);
     key.add_part(SharedKind::pipeline_layout, recipe.layout).add_part(SharedKind::render_pass, recipe.target.render_pass);
     key.add(recipe.target.samples).add(recipe.target.colours).add(recipe.target.depth);
-    key.add(recipe.topology).add(recipe.writes_depth).add(recipe.writes_colour).add(recipe.bias);
+    key.add(recipe.topology).add(recipe.writes_depth).add(recipe.writes_colour).add(recipe.blends).add(recipe.bias);
     return objects.shared(key, [&](Objects& owner) { return make_alone(owner, recipe); });
 }
 

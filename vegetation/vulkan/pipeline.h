@@ -23,7 +23,8 @@ struct PipelineRecipe {
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool writes_depth = true;
     bool writes_colour = true;
-    bool bias = false; ///< a shadow's: depth is moved away from the light by the slope
+    bool blends = false; ///< over what is there, by the fragment's alpha
+    bool bias = false;   ///< a shadow's: depth is moved away from the light by the slope
 };
 
 /// Sets 0, 1, 2 ... and push constants for every stage.
@@ -31,7 +32,7 @@ inline constexpr std::uint32_t k_push_bytes = 16;
 [[nodiscard]] VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets,
                                                     std::uint32_t push_bytes = k_push_bytes);
 
-/// Triangles without face culling, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending.
+/// Triangles without face culling, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending unless asked.
 [[nodiscard]] VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe);
 [[nodiscard]] VkPipeline make_compute_pipeline(Objects& objects, VkPipelineLayout layout, std::span<const std::uint32_t> words);
 
