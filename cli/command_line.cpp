@@ -6,6 +6,7 @@
 #include "cli/plants/plants_command.h"
 #include "cli/run_command.h"
 #include "cli/verify/verify_command.h"
+#include "cli/view_command.h"
 #if WINDROW_WITH_VULKAN
 #include "cli/check/check_command.h"
 #include "cli/device_report/device_report_command.h"
@@ -65,7 +66,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown("unknown command ", word);
         if (count > 1)
             return unknown("unknown option ", arguments[1]);
-        return message("name a command, run, bench, verify, pareto, plants, check, device-report or info: ", help);
+        return message("name a command, run, view, bench, verify, pareto, plants, check, device-report or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -80,6 +81,7 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
     app.require_subcommand(1);
     app.footer("Exit codes: 0 well, 1 a result out of bounds, 2 wrong use or bad input, 3 the machine lacks something.");
     add_run(app, chosen, console);
+    add_view(app, chosen, console);
     add_bench(app, chosen, console);
     add_verify(app, cases::verify_cases(), chosen, console);
     add_pareto(app, chosen, console);

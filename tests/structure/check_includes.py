@@ -54,12 +54,13 @@ BELOW_GPU = ("fluid/core/message.h",)
 USES_GPU = ("gpu/*", "fluid/vulkan/*", "cli/*", "coupling/vulkan/*", "vegetation/*", "tests/*")
 SEES_DEVICE_WIND = ("cli/bench/vulkan/*", "tests/*")
 # Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
-FILES_AND_PROGRAM = ("files", "program")
+FILES_AND_PROGRAM = ("files", "program", "view")
 TESTS_AND_BENCH = ("tests", "bench")
 BESIDE_RENDERER = tuple(f"vegetation/{folder}/*" for folder in FILES_AND_PROGRAM + TESTS_AND_BENCH)
+VIEW = ("cli/view_command.cpp", "vegetation/view/view.h") # the one way from the command to the window
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
 # The layers that make Vulkan objects, tests of them, and a host of two queues.
-MAKERS = ("gpu/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
+MAKERS = ("gpu/*", "vegetation/vulkan/*", "vegetation/view/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
           "tests/parity/*", "tests/plants/*")
 
 
@@ -110,7 +111,7 @@ def breaches_of_include(root, file, name, public):
     if target_top in ABOVE.get(top, ()) and not (tested and target_top == "tests"):
         yield f"{top} is a lower layer and does not know {target_top}"
     elif top not in ("vegetation", "tests", "examples") and target_top == "vegetation" and not (
-            folders[:2] == ["cli", "device_report"] and not matches(target or name, BESIDE_RENDERER)):
+            folders[:2] == ["cli", "device_report"] and not matches(target or name, BESIDE_RENDERER)) and (here, target) != VIEW:
         yield f"{top} does not know vegetation: it is built without it; the report of a device draws with its renderer alone"
     if top == "vegetation" and not tested and (len(folders) == 1 or folders[1] not in FILES_AND_PROGRAM):
         if target_top == "scene" or matches(name, JSON + TINYGLTF + OPENIMAGEIO) or target == "pictures/picture_files.h":

@@ -1,0 +1,207 @@
+// What a window plays, changes, goes back in and saves.
+#include "fluid/wind.h"
+#include "scene/scene_reader.h"
+#include "tests/own_folder.h"
+#include "vegetation/view/session.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace windrow::vegetation::view {
+namespace {
+
+constexpr const char* k_scene = R"({
+    "name": "yard", "duration": 4, "tick_hz": 30, "frames_per_second": 10,
+    "air": {"cells": [16, 8, 16], "cell_size": 1, "boundaries": {"y_low": "free_slip"}, "ambient": [3, 0, 1],
+            "gusts": {"intensity": 0.2, "length": 6}},
+    "motors": [
+        {"name": "fan", "kind": "jet", "position": [-3, 1.5, 0], "direction": [1, 0, 0], "length": 5},
+        {"name": "late", "kind": "omni", "from": 0.5, "position": [2, 2, 2], "radius": 2, "speed": 4}],
+    "obstacles": [{"name": "hut", "position": [3, 1, 3], "shape": {"block": {"half_size": [1, 1, 1]}}}],
+    "picture": {"size": [64, 36], "warm_up": 0, "camera": {"position": [10, 4, 10], "target": [0, 1, 0]}}
+})";
+
+using Cells = std::vector<glm::vec4>;
+
+class SessionTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        auto device = engine::Device::create();
+        ASSERT_TRUE(device) << device.error();
+        device_ = *std::move(device);
+        write("yard.json", k_scene);
+        open("yard.json");
+    }
+    void write(const char* name, const std::string& text) { std::ofstream(folder_.path() / name) << text; }
+    void open(const char* name) {
+        auto opened =
+            Session::open(*device_, folder_.path() / name, {.draft = true, .backend = program::Backend::cpu, .size = {64, 36}});
+        ASSERT_TRUE(opened) << opened.error();
+        session_ = *std::move(opened);
+    }
+    void play_steps(int steps) {
+        for (int n = 0; n < steps; ++n)
+            ASSERT_TRUE(session_->step());
+    }
+    [[nodiscard]] Cells cells() const {
+        const auto field = session_->reader().cells();
+        return {field->begin(), field->end()};
+    }
+    /// As `windrow run` plays a file.
+    [[nodiscard]] Cells run(const char* name, int steps) const {
+        const auto scene = scene::read_scene(folder_.path() / name);
+        EXPECT_TRUE(scene) << scene.error();
+        auto wind = Wind::create(scene->air);
+        scene::SceneAir air(*scene);
+        EXPECT_TRUE(air.begin(*wind));
+        for (int step = 1; step <= steps; ++step) {
+            EXPECT_TRUE(air.advance_to(*wind, scene->frame_times().time_of_step(step)));
+            (void)wind->step(scene->frame_times().length_of_step(step));
+        }
+        return {wind->field().begin(), wind->field().end()};
+    }
+
+    OwnFolder folder_{};
+    std::unique_ptr<engine::Device> device_{};
+    std::unique_ptr<Session> session_{};
+};
+
+TEST_F(SessionTest, PlaysTheBitsOfARun) {
+    play_steps(40);
+    EXPECT_NEAR(session_->time(), 4.0 / 3.0, 1e-9);
+    EXPECT_TRUE(cells() == run("yard.json", 40));
+}
+
+TEST_F(SessionTest, MakesWholeStepsOfTheTimeThatPassed) {
+    ASSERT_TRUE(session_->play(0.05));
+    EXPECT_EQ(session_->steps(), 1);
+    ASSERT_TRUE(session_->play(0.05)); // what was left of the first counts
+    EXPECT_EQ(session_->steps(), 3);
+}
+
+TEST_F(SessionTest, SavesAChangedSceneThatRunsToTheSameBits) {
+    play_steps(10);
+    ASSERT_TRUE(session_->move_motor(0, {-2.0, 1.5, 2.0}));
+    const auto house = session_->add_obstacle({.position = {0.0, 1.5, -3.0}, .shape = Block{{1.0f, 1.5f, 2.0f}}}, "house");
+    ASSERT_TRUE(house);
+    ASSERT_TRUE(session_->add_motor(VortexMotor{.position = {0.0, 2.0, 4.0}, .radius = 3.0f}, "whirl"));
+    ASSERT_TRUE(session_->remove_motor(1));
+    ASSERT_TRUE(session_->move_obstacle(0, {3.0, 1.0, 1.0}, glm::angleAxis(0.7f, glm::vec3(0.0f, 1.0f, 0.0f))));
+    Config air = session_->air();
+    air.ambient = {5.0f, 0.0f, -1.0f};
+    ASSERT_TRUE(session_->set_air(air));
+    play_steps(10);
+    ASSERT_TRUE(session_->save(folder_.path() / "edited.json"));
+    ASSERT_TRUE(session_->restart());
+    play_steps(40);
+    const Cells played = cells();
+    EXPECT_TRUE(played == run("edited.json", 40)); // the session as it goes on, and the file
+    EXPECT_FALSE(played == run("yard.json", 40));
+    open("edited.json"); // and the file in a window
+    EXPECT_EQ(session_->motors().size(), 2u);
+    EXPECT_EQ(session_->obstacles().size(), 2u);
+    play_steps(40);
+    EXPECT_TRUE(cells() == played);
+}
+
+TEST_F(SessionTest, GoesBackToTheBitsThatWereAndOnAgain) {
+    std::vector<Cells> was;
+    for (int step = 0; step < 100; ++step) {
+        if (step == 20)
+            ASSERT_TRUE(session_->move_motor(0, {-2.0, 2.0, 2.0}));
+        if (step == 45)
+            ASSERT_TRUE(session_->add_obstacle({.position = {0.0, 1.0, -3.0}}, "house"));
+        if (step == 70)
+            ASSERT_TRUE(session_->remove_motor(0));
+        play_steps(1);
+        was.push_back(cells());
+    }
+    for (const int step : {99, 71, 69, 46, 44, 30, 19, 1}) {
+        ASSERT_TRUE(session_->seek(session_->scene().air.frame_times().time_of_step(step)));
+        EXPECT_EQ(session_->steps(), step);
+        EXPECT_TRUE(cells() == was[static_cast<std::size_t>(step - 1)]) << step;
+    }
+    ASSERT_TRUE(session_->seek(0.0));
+    EXPECT_EQ(session_->steps(), 0);
+    ASSERT_TRUE(session_->seek(session_->scene().air.frame_times().time_of_step(60)));
+    play_steps(5);
+    EXPECT_TRUE(cells() == was[64]);
+    EXPECT_EQ(session_->latest(), session_->time()); // the future that was is forgotten
+}
+
+TEST_F(SessionTest, RejectsWhatValidationRejectsAndStaysAsItWas) {
+    play_steps(5);
+    const Cells before = cells();
+    EXPECT_FALSE(session_->set_motor(0, JetMotor{.length = -1.0f}));
+    EXPECT_FALSE(session_->add_obstacle({.shape = Block{{0.0f, 1.0f, 1.0f}}}, "flat"));
+    Config air = session_->air();
+    air.viscosity = -1.0f;
+    EXPECT_FALSE(session_->set_air(air));
+    EXPECT_EQ(session_->obstacles().size(), 1u);
+    EXPECT_GT(std::get<JetMotor>(session_->motors()[0].motor).length, 0.0f);
+    EXPECT_TRUE(cells() == before);
+}
+
+TEST_F(SessionTest, KeepsItsSceneWhereTheFileOnDiskIsWrong) {
+    play_steps(5);
+    write("yard.json", R"({"name": "yard", "air": {"cells": [0, 8, 16]}})");
+    const auto read = session_->reload();
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().find("cells"), std::string::npos);
+    EXPECT_EQ(session_->steps(), 5);
+    play_steps(1);
+    write("yard.json", std::string(k_scene).replace(std::string(k_scene).find("[3, 0, 1]"), 9, "[1, 0, 0]"));
+    ASSERT_TRUE(session_->reload());
+    EXPECT_EQ(session_->steps(), 0);
+    EXPECT_EQ(session_->air().ambient, glm::vec3(1.0f, 0.0f, 0.0f));
+}
+
+TEST_F(SessionTest, SavesALogThatReplaysTheMinute) {
+    play_steps(20);
+    ASSERT_TRUE(session_->move_motor(0, {-2.0, 2.0, 2.0}));
+    play_steps(20);
+    ASSERT_TRUE(session_->save_log(folder_.path()));
+    const auto bytes = [&](const char* name) {
+        std::ifstream file(folder_.path() / name, std::ios::binary);
+        const std::vector<char> read(std::istreambuf_iterator<char>(file), {});
+        const auto* begin = reinterpret_cast<const std::byte*>(read.data());
+        return std::vector<std::byte>(begin, begin + read.size());
+    };
+    auto wind = Wind::load(bytes("start.wind"));
+    ASSERT_TRUE(wind) << wind.error();
+    const auto log = EventLog::from_bytes(bytes("events.log"));
+    ASSERT_TRUE(log) << log.error();
+    ASSERT_TRUE(replay(*log, *wind));
+    EXPECT_TRUE(cells() == Cells(wind->field().begin(), wind->field().end()));
+}
+
+TEST_F(SessionTest, DrawsFramesOfAnySizeAndViewWhileItPlays) {
+    for (int frame = 0; frame < 24; ++frame) {
+        play_steps(1);
+        if (frame % 4 == 3)
+            ASSERT_TRUE(session_->player().change({.size = glm::ivec2(64 + 4 * frame, 36 + frame)}));
+        if (frame == 9)
+            ASSERT_TRUE(session_->player().change({.show = program::Show::arrows}));
+        const auto begun = session_->player().frames().begin();
+        ASSERT_TRUE(begun);
+        ASSERT_TRUE(session_->record(*begun, program::camera_at(session_->scene(), 0.0), frame == 23));
+        ASSERT_TRUE(session_->player().frames().submit(*begun));
+    }
+    ASSERT_TRUE(session_->player().frames().wait());
+    const render::Picture8 picture = session_->player().images().picture();
+    EXPECT_EQ(picture.width, 64 + 4 * 23);
+    EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 60);
+}
+
+TEST_F(SessionTest, ChangesItsSizeFiftyTimesWithoutALeak) {
+    std::uint64_t first = 0;
+    for (int n = 0; n < 50; ++n) {
+        ASSERT_TRUE(session_->player().change({.size = n % 2 == 0 ? glm::ivec2(96, 54) : glm::ivec2(64, 36)}));
+        if (n == 1)
+            first = device_->memory_bytes();
+    }
+    EXPECT_EQ(device_->memory_bytes(), first);
+}
+
+} // namespace
+} // namespace windrow::vegetation::view

@@ -1,0 +1,371 @@
+#include "vegetation/view/session.h"
+
+#include "fluid/core/message.h"
+#include "scene/json_document.h"
+#include "scene/scene_reader.h"
+#include "scene/text_file.h"
+#include "vegetation/program/picture_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace windrow::vegetation::view {
+namespace {
+
+using detail::message;
+
+constexpr double k_kept = 60.0;                              // [s]
+constexpr double k_segment = 1.0;                            // [s] between snapshots
+constexpr std::size_t k_most_bytes = std::size_t{512} << 20; // of snapshots
+
+scene::FrameTimes times_of(const scene::Scene& scene) {
+    return scene.frame_times();
+}
+
+} // namespace
+
+void make_draft(program::Picture& picture) {
+    picture.clouds.cover = 0.0f;
+    picture.trees.clear();
+    picture.camera.shutter_deg = 0.0f;
+    if (picture.grass.size() > 1)
+        picture.grass.resize(1);
+    for (program::GrassSource& layer : picture.grass) {
+        grass::GrassSettings& field = layer.drawn.field;
+        field.density = std::min(field.density, 3.0f);
+        field.cut_distance = std::min(field.cut_distance, 24.0f);
+        field.split_distance = std::min(field.split_distance, 0.5f);
+        field.thin_from = std::max(field.thin_from, field.cut_distance);
+        field.shadow_distance = 0.0f;
+        field.max_chunks = std::min(field.max_chunks, 96);
+        field.blade.width *= 4.0f;
+        layer.drawn.max_blades = 4096;
+    }
+}
+
+Result<std::unique_ptr<Session>> Session::open(engine::Device& device, const std::filesystem::path& file,
+                                               const SessionSettings& settings) {
+    std::unique_ptr<Session> made(new Session(device, file, settings));
+    if (auto ready = made->reload(); !ready)
+        return ready.failure();
+    return made;
+}
+
+Result<void> Session::read(std::unique_ptr<program::PictureScene>& made, nlohmann::json& document) const {
+    windrow::detail::InputBudget budget;
+    const auto text = scene::read_text_file(file_, {.max_bytes = scene::k_max_scene_bytes}, budget);
+    if (!text)
+        return text.failure();
+    auto parsed = scene::parse_json(*text, file_.string());
+    if (!parsed)
+        return parsed.failure();
+    auto read = program::read_picture_scene_text(*text, file_);
+    if (!read)
+        return read.failure();
+    document = *std::move(parsed);
+    made = std::make_unique<program::PictureScene>(*std::move(read));
+    return {};
+}
+
+Result<void> Session::reload() {
+    std::unique_ptr<program::PictureScene> fresh;
+    nlohmann::json document;
+    if (auto done = read(fresh, document); !done)
+        return done;
+    if (settings_.draft)
+        make_draft(fresh->picture);
+    std::swap(scene_, fresh);
+    const auto count = [&](const char* key) { return document.contains(key) ? document[key].size() : std::size_t{0}; };
+    motors_read_ = count("motors");
+    obstacles_read_ = count("obstacles");
+    hills_ = scene_->air.obstacles.size() - obstacles_read_;
+    motor_changed_.assign(motors_read_, false);
+    obstacle_changed_.assign(scene_->air.obstacles.size(), false);
+    motor_removed_ = motor_changed_;
+    obstacle_removed_ = obstacle_changed_;
+    document_ = std::move(document);
+    air_read_ = scene_->air.air;
+    auto before = std::move(player_); // ends after the new one is made, whose pipelines it shares
+    auto begun = begin();
+    before.reset();
+    return begun;
+}
+
+Result<void> Session::restart() {
+    // What was added is there from the start; what was removed is gone, and keeps its place in the file's list without ever coming.
+    const auto settle = [](auto& list, std::size_t first_added, std::vector<bool>& removed, std::vector<bool>& changed) {
+        for (std::size_t n = list.size(); n-- > 0;) {
+            const auto at = static_cast<std::ptrdiff_t>(n);
+            if (removed[n] && n >= first_added) {
+                list.erase(list.begin() + at);
+                removed.erase(removed.begin() + at);
+                changed.erase(changed.begin() + at);
+            } else if (removed[n]) {
+                list[n].until = list[n].from;
+            } else if (n >= first_added) {
+                list[n].from = 0.0;
+            }
+        }
+    };
+    settle(scene_->air.motors, motors_read_, motor_removed_, motor_changed_);
+    settle(scene_->air.obstacles, obstacles_read_ + hills_, obstacle_removed_, obstacle_changed_);
+    auto before = std::move(player_); // ends after the new one is made, whose pipelines it shares
+    auto begun = begin();
+    before.reset();
+    return begun;
+}
+
+Result<void> Session::begin() {
+    auto player = program::SceneRenderer::create(*scene_, {.size = settings_.size,
+                                                           .samples = settings_.draft ? 1 : 4,
+                                                           .backend = settings_.backend,
+                                                           .max_blades = {},
+                                                           .device = &device_,
+                                                           .shadow_texels = settings_.draft ? std::optional(256) : std::nullopt,
+                                                           .edited = true});
+    if (!player)
+        return player.failure();
+    player_ = *std::move(player);
+    segments_.clear();
+    owed_ = shown_ = latest_ = 0.0;
+    waits_ = false;
+    return begin_segment();
+}
+
+// --- Time --------------------------------------------------------------------------------------------------------------------
+
+Result<void> Session::begin_segment() {
+    Wind* const wind = player_->air().cpu();
+    if (wind == nullptr)
+        return {};
+    auto start = wind->save();
+    if (!start)
+        return start.failure();
+    std::size_t bytes = start->size();
+    for (const auto& segment : segments_)
+        bytes += segment->start.size();
+    while (!segments_.empty() && (time() - segments_.front()->state.time > k_kept || bytes > k_most_bytes)) {
+        bytes -= segments_.front()->start.size();
+        segments_.pop_front();
+    }
+    auto segment = std::make_unique<Segment>();
+    segment->start = *std::move(start);
+    segment->state = player_->scene_air().state();
+    wind->record_to(&segment->log);
+    segments_.push_back(std::move(segment));
+    return {};
+}
+
+Result<void> Session::step() {
+    Wind* const wind = player_->air().cpu();
+    const scene::FrameTimes times = times_of(scene_->air);
+    const std::int64_t next = steps() + 1;
+    if (wind == nullptr) { // its frame records the step
+        owed_ = std::max(owed_, 0.0) + times.length_of_step(next);
+        return {};
+    }
+    forget_future();
+    if (time() - segments_.back()->state.time >= k_segment - 1e-9)
+        if (auto begun = begin_segment(); !begun)
+            return begun;
+    if (auto placed = player_->scene_air().advance_to(*wind, times.time_of_step(next)); !placed)
+        return placed;
+    if (const Diagnostics last = wind->step(times.length_of_step(next)); last.out_of_memory)
+        return Error{"there is no memory for the air's next step; give the scene fewer cells."};
+    Segment& segment = *segments_.back();
+    segment.steps.push_back({player_->scene_air().state(), segment.log.events().size()});
+    latest_ = time();
+    return {};
+}
+
+Result<void> Session::play(double seconds) {
+    owed_ += seconds;
+    if (player_->air().cpu() == nullptr) {
+        owed_ = std::min(owed_, 1.0);
+        return {};
+    }
+    for (int n = 0; n < k_most_steps; ++n) {
+        const double length = times_of(scene_->air).length_of_step(steps() + 1);
+        if (owed_ + 1e-9 < length)
+            return {};
+        owed_ -= length;
+        if (auto done = step(); !done)
+            return done;
+    }
+    owed_ = 0.0;
+    return {};
+}
+
+double Session::earliest() const {
+    return segments_.empty() ? time() : segments_.front()->state.time;
+}
+
+void Session::forget_future() {
+    while (segments_.size() > 1 && segments_.back()->state.time > time() + 1e-9)
+        segments_.pop_back();
+    latest_ = time();
+}
+
+Result<void> Session::seek(double asked) {
+    Wind* const wind = player_->air().cpu();
+    if (wind == nullptr)
+        return Error{"the air of a device is not kept: choose the solver on the CPU to go back in time."};
+    std::size_t at = segments_.size() - 1;
+    while (at > 0 && segments_[at]->state.time > asked + 1e-9)
+        --at;
+    Segment& segment = *segments_[at];
+    std::size_t count = 0;
+    while (count < segment.steps.size() && segment.steps[count].state.time <= asked + 1e-9)
+        ++count;
+    auto loaded = Wind::load(segment.start, wind->config().parallel_for);
+    if (!loaded)
+        return loaded.failure();
+    if (count > 0) {
+        EventLog prefix;
+        for (const Event& event : segment.log.events().first(segment.steps[count - 1].events))
+            prefix.note(event);
+        if (auto replayed = replay(prefix, *loaded); !replayed)
+            return replayed;
+        // Handles of a loaded wind are those of any other: the scene's, which an earlier wind gave.
+        auto bytes = loaded->save();
+        if (!bytes)
+            return bytes.failure();
+        loaded = Wind::load(*bytes, wind->config().parallel_for);
+        if (!loaded)
+            return loaded.failure();
+    }
+    const double latest = latest_;
+    auto state = count > 0 ? segment.steps[count - 1].state : segment.state;
+    // An owner is of the wind that is gone.
+    for (auto& motor : state.motors)
+        motor.id = motor.id.unowned();
+    for (auto& id : state.obstacles)
+        id = id.unowned();
+    for (auto& id : state.wakes)
+        id = id.unowned();
+    wind->record_to(nullptr);
+    *wind = *std::move(loaded);
+    player_->scene_air().restore(state);
+    latest_ = latest;
+    owed_ = 0.0;
+    return {};
+}
+
+Result<void> Session::record(const engine::Frame& frame, const render::Camera& camera, bool copied) {
+    const bool cpu = player_->air().cpu() != nullptr;
+    const double start = cpu ? std::min(shown_, time()) : time();
+    const double end = cpu ? time() : time() + std::exchange(owed_, 0.0);
+    shown_ = end;
+    latest_ = std::max(latest_, end);
+    return player_->record(frame, {.start = start, .end = end, .camera = camera, .copied = copied, .stepped = cpu});
+}
+
+// --- Changes -----------------------------------------------------------------------------------------------------------------
+
+bool Session::can_change_obstacle(std::size_t place) const {
+    return place < obstacles_read_ || place >= obstacles_read_ + hills_;
+}
+
+Result<void> Session::set_motor(std::size_t place, const Motor& motor) {
+    if (auto valid = validate(motor); !valid)
+        return valid;
+    const MotorId id = player_->scene_air().motor(place);
+    if (wind().motors().find(id) != nullptr)
+        if (auto set = wind().motors().set(id, motor); !set)
+            return set;
+    scene_->air.motors[place].motor = motor;
+    motor_changed_[place] = true;
+    return {};
+}
+
+Result<void> Session::move_motor(std::size_t place, glm::dvec3 position) {
+    const MotorId id = player_->scene_air().motor(place);
+    if (wind().motors().find(id) != nullptr)
+        if (auto moved = wind().motors().move(id, position); !moved)
+            return moved;
+    std::visit([&](auto& kind) { kind.position = position; }, scene_->air.motors[place].motor);
+    motor_changed_[place] = true;
+    return {};
+}
+
+Result<std::size_t> Session::add_motor(const Motor& motor, std::string name) {
+    if (auto valid = validate(motor); !valid)
+        return valid.failure();
+    scene_->air.motors.push_back({.name = std::move(name), .motor = motor, .path = {}, .from = time()});
+    motor_changed_.push_back(true);
+    motor_removed_.push_back(false);
+    player_->scene_air().take_appended();
+    return scene_->air.motors.size() - 1;
+}
+
+Result<void> Session::remove_motor(std::size_t place) {
+    const MotorId id = player_->scene_air().motor(place);
+    if (wind().motors().find(id) != nullptr)
+        if (auto removed = wind().motors().remove(id); !removed)
+            return removed;
+    scene_->air.motors[place].until = time();
+    motor_removed_[place] = true;
+    return {};
+}
+
+Result<void> Session::set_obstacle(std::size_t place, const Obstacle& obstacle) {
+    if (auto valid = validate(obstacle); !valid)
+        return valid;
+    const ObstacleId id = player_->scene_air().obstacle(place);
+    if (wind().obstacles().find(id) != nullptr)
+        if (auto set = wind().obstacles().set(id, obstacle); !set)
+            return set;
+    scene_->air.obstacles[place].obstacle = obstacle;
+    obstacle_changed_[place] = true;
+    return player_->change({.obstacles = true});
+}
+
+Result<void> Session::move_obstacle(std::size_t place, glm::dvec3 position, glm::quat orientation) {
+    const ObstacleId id = player_->scene_air().obstacle(place);
+    if (wind().obstacles().find(id) != nullptr)
+        if (auto moved = wind().obstacles().move(id, position, orientation); !moved)
+            return moved;
+    scene_->air.obstacles[place].obstacle.position = position;
+    scene_->air.obstacles[place].obstacle.orientation = orientation;
+    obstacle_changed_[place] = true;
+    return {};
+}
+
+Result<std::size_t> Session::add_obstacle(const Obstacle& obstacle, std::string name) {
+    if (auto valid = validate(obstacle); !valid)
+        return valid.failure();
+    scene_->air.obstacles.push_back({.name = std::move(name), .obstacle = obstacle, .path = {}, .turn_path = {}, .from = time()});
+    obstacle_changed_.push_back(true);
+    obstacle_removed_.push_back(false);
+    player_->scene_air().take_appended();
+    if (auto changed = player_->change({.obstacles = true}); !changed)
+        return changed.failure();
+    return scene_->air.obstacles.size() - 1;
+}
+
+Result<void> Session::remove_obstacle(std::size_t place) {
+    scene_->air.obstacles[place].until = time(); // it leaves with the next step
+    obstacle_removed_[place] = true;
+    return {};
+}
+
+Result<void> Session::set_air(const Config& air) {
+    if (auto valid = validate(air); !valid)
+        return valid;
+    const Config& now = wind().config();
+    if (air.ambient != now.ambient)
+        if (auto set = wind().set_ambient(air.ambient); !set)
+            return set;
+    if (air.gusts.intensity != now.gusts.intensity || air.gusts.length != now.gusts.length || air.gusts.seed != now.gusts.seed) {
+        Gusts gusts = air.gusts;
+        gusts.tile = now.gusts.tile;
+        if (auto set = wind().set_gusts(gusts); !set)
+            return set;
+    }
+    waits_ = true;
+    scene_->air.air = air;
+    return {};
+}
+
+} // namespace windrow::vegetation::view
