@@ -2,10 +2,9 @@
 #include "fluid/debug_draw.h"
 #include "fluid/wind.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,10 @@ constexpr DebugDraw k_nothing{.box = false, .motors = false, .obstacles = false}
 DebugPicture picture_of(const Wind& wind, const DebugDraw& settings) {
     DebugPicture picture;
     debug_draw(wind, wind, settings,
-               {.line = [&](glm::dvec3 from, glm::dvec3 to, std::uint32_t) { picture.lines.push_back({from, to}); },
+               {.line =
+                    [&](glm::dvec3 from, glm::dvec3 to, std::uint32_t) {
+                        picture.lines.push_back({from, to});
+                    },
                 .text = [&](glm::dvec3, std::string_view words, std::uint32_t) { picture.words.emplace_back(words); }});
     return picture;
 }
@@ -75,7 +77,8 @@ TEST(DebugDrawing, FollowsMotorsAndObstaclesThatMove) {
     settings.motors = settings.obstacles = true;
     const auto touches = [&](glm::dvec3 place) {
         const auto lines = picture_of(*wind, settings).lines;
-        return std::any_of(lines.begin(), lines.end(), [&](const DebugLine& line) { return glm::distance(line.from, place) < 1e-6; });
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](const DebugLine& line) { return glm::distance(line.from, place) < 1e-6; });
     };
     EXPECT_TRUE(touches({1.0, 2.0, 3.0}));   // the arrow begins at the nozzle
     EXPECT_TRUE(touches({-3.0, 0.0, -3.0})); // a corner
