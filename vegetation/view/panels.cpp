@@ -303,8 +303,9 @@ void Graph::draw(const char* name, const char* unit) const {
     const std::string label = message(name, ": ");
     ImGui::Text("%s%.4g %s", label.c_str(), static_cast<double>(last()), unit);
     ImGui::PushID(name);
+    ImGui::SetNextItemWidth(-1.0f);
     ImGui::PlotLines("##graph", values_.data(), static_cast<int>(values_.size()), static_cast<int>(next_), nullptr, 0.0f, FLT_MAX,
-                     {-1.0f, 26.0f});
+                     {0.0f, 26.0f});
     ImGui::PopID();
 }
 

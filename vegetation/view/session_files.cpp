@@ -58,6 +58,8 @@ json Session::motor_json(std::size_t place) const {
     json object = std::visit([](const auto& kind) { return write_object(kind); }, motor.motor);
     object["kind"] = std::visit([](const auto& kind) { return std::string(kind.k_name); }, motor.motor);
     object["name"] = motor.name;
+    if (object.contains("envelope") && !object["envelope"].contains("hold")) // without an end there is no fall
+        object["envelope"].erase("decay");
     if (read) // when it acts, and along what, is not changed here
         for (const char* const key : {"from", "until", "path"})
             if (document_["motors"][place].contains(key))

@@ -84,7 +84,8 @@ class Loop {
         begun_ = last_ = Clock::now();
         cpu_ = cpu_last_ = cpu_seconds(CLOCK_PROCESS_CPUTIME_ID);
         while (!window_.closed() && !desk_.closes) {
-            wait();
+            if (!wait())
+                continue;
             look_at_file();
             const auto ready = match();
             if (!ready)
@@ -103,21 +104,23 @@ class Loop {
     }
 
   private:
-    /// For the next frame's time; where nothing moves, for a hand.
-    void wait() {
-        const auto begin = Clock::now();
+    /// For the next frame's time; where nothing moves, for a hand. False: nothing is to be drawn.
+    bool wait() {
         if (desk_.playing || desk_.filming || lively_ > 0) {
             const double left = k_shortest_frame - since(last_);
             if (left > 0.0)
                 glfwWaitEventsTimeout(left);
             else
                 glfwPollEvents();
-        } else {
-            glfwWaitEventsTimeout(k_rest);
-            if (since(begin) < k_rest)
-                lively_ = 3; // an answer to it, and what that leads to
+            lively_ = std::max(lively_ - 1, 0);
+            return true;
         }
-        lively_ = std::max(lively_ - 1, 0);
+        const auto begin = Clock::now();
+        glfwWaitEventsTimeout(k_rest);
+        look_at_file();
+        if (since(begin) < k_rest)
+            lively_ = 3; // an answer to the hand, and what that leads to
+        return lively_ > 0;
     }
 
     /// Whether there is something to draw on; the picture has the window's size.

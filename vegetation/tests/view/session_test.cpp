@@ -61,7 +61,7 @@ class SessionTest : public testing::Test {
         return {wind->field().begin(), wind->field().end()};
     }
 
-    OwnFolder folder_{};
+    test::OwnFolder folder_{};
     std::unique_ptr<engine::Device> device_{};
     std::unique_ptr<Session> session_{};
 };
@@ -107,12 +107,15 @@ TEST_F(SessionTest, SavesAChangedSceneThatRunsToTheSameBits) {
 TEST_F(SessionTest, GoesBackToTheBitsThatWereAndOnAgain) {
     std::vector<Cells> was;
     for (int step = 0; step < 100; ++step) {
-        if (step == 20)
+        if (step == 20) {
             ASSERT_TRUE(session_->move_motor(0, {-2.0, 2.0, 2.0}));
-        if (step == 45)
+        }
+        if (step == 45) {
             ASSERT_TRUE(session_->add_obstacle({.position = {0.0, 1.0, -3.0}}, "house"));
-        if (step == 70)
+        }
+        if (step == 70) {
             ASSERT_TRUE(session_->remove_motor(0));
+        }
         play_steps(1);
         was.push_back(cells());
     }
@@ -178,10 +181,12 @@ TEST_F(SessionTest, SavesALogThatReplaysTheMinute) {
 TEST_F(SessionTest, DrawsFramesOfAnySizeAndViewWhileItPlays) {
     for (int frame = 0; frame < 24; ++frame) {
         play_steps(1);
-        if (frame % 4 == 3)
+        if (frame % 4 == 3) {
             ASSERT_TRUE(session_->player().change({.size = glm::ivec2(64 + 4 * frame, 36 + frame)}));
-        if (frame == 9)
+        }
+        if (frame == 9) {
             ASSERT_TRUE(session_->player().change({.show = program::Show::arrows}));
+        }
         const auto begun = session_->player().frames().begin();
         ASSERT_TRUE(begun);
         ASSERT_TRUE(session_->record(*begun, program::camera_at(session_->scene(), 0.0), frame == 23));
