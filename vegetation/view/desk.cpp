@@ -1,6 +1,7 @@
 #include "vegetation/view/desk.h"
 
 #include "fluid/core/message.h"
+#include "fluid/field_files.h"
 #include "vegetation/program/film.h"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ double Desk::ground(double x, double z) const {
 }
 
 void Desk::add_house(glm::dvec3 foot) {
-    const glm::vec3 half(2.5f, 2.0f, 2.0f);
+    const glm::vec3 box = session.wind().box().size();
+    const glm::vec3 half = std::clamp(0.04f * std::min(box.x, box.z), 0.1f, 1.0f) * glm::vec3(2.5f, 2.0f, 2.0f);
     const auto added =
         session.add_obstacle({.position = foot + glm::dvec3(0.0, static_cast<double>(half.y), 0.0), .shape = Block{half}},
                              message("house ", session.obstacles().size() + 1));
@@ -71,6 +73,16 @@ void Desk::remove_chosen() {
         tell("removed " + session.motors()[gone.place].name);
     if (gone.kind == Choice::Kind::obstacle && done(session.remove_obstacle(gone.place)))
         tell("removed " + session.obstacles()[gone.place].name);
+}
+
+void Desk::save_field() {
+    const auto air = session.reader().view();
+    if (!done(air ? Result<void>{} : air.failure()))
+        return;
+    FieldGrid grid = field_grid(*air);
+    grid.time = session.time();
+    if (done(write_field(fields_file, FieldFormat::raw, grid)))
+        tell("wrote " + fields_file);
 }
 
 void Desk::begin_film() {

@@ -85,6 +85,7 @@ struct Desk {
     void add_house(glm::dvec3 foot);
     void add_fan(glm::dvec3 foot);
     void remove_chosen();
+    void save_field();
     void begin_film();
     void end_film();
 };

@@ -76,6 +76,8 @@ void use_keys(Desk& desk, double seconds) {
             desk.tell("saved " + desk.scene_file);
         return;
     }
+    if (pressed(GLFW_KEY_F))
+        desk.save_field();
     if (pressed(GLFW_KEY_P))
         desk.wants_picture = true;
     if (pressed(GLFW_KEY_F5) && desk.done(desk.session.restart()))

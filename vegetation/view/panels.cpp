@@ -1,5 +1,4 @@
 #include "fluid/core/message.h"
-#include "fluid/field_files.h"
 #include "vegetation/view/controls.h"
 #include "vegetation/view/desk.h"
 
@@ -239,15 +238,7 @@ void file_controls(Desk& desk) {
             desk.tell("saved " + desk.scene_file);
     });
     line("Picture", desk.picture_file, [&] { desk.wants_picture = true; });
-    line("Field", desk.fields_file, [&] {
-        const auto air = desk.session.reader().view();
-        if (!air)
-            return void(desk.done(air.failure()));
-        FieldGrid grid = field_grid(*air);
-        grid.time = desk.session.time();
-        if (desk.done(write_field(desk.fields_file, FieldFormat::raw, grid)))
-            desk.tell("wrote " + desk.fields_file);
-    });
+    line("Field", desk.fields_file, [&] { desk.save_field(); });
     line("Log", desk.log_folder, [&] {
         std::error_code error;
         std::filesystem::create_directories(desk.log_folder, error);

@@ -13,7 +13,7 @@ namespace {
 using detail::message;
 
 constexpr float k_reach = 12.0f; // [px] of a handle
-constexpr ImU32 k_plain = IM_COL32(255, 190, 60, 230), k_lit = IM_COL32(255, 255, 255, 255);
+constexpr ImU32 k_plain = IM_COL32(255, 190, 60, 230), k_lit = IM_COL32(255, 255, 255, 255), k_dim = IM_COL32(255, 190, 60, 90);
 
 Projection projection_of(const Desk& desk) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -137,6 +137,10 @@ void draw_overlay(Desk& desk) {
                     list.AddText({pixel->x + 6.0f, pixel->y - 6.0f}, colour, words.data(), words.data() + words.size());
             }};
     debug_draw(desk.session.wind(), desk.session.reader(), desk.overlay, sink);
+    if (desk.overlay.motors) // those that do not act now
+        for (std::size_t n = 0; n < desk.session.motors().size(); ++n)
+            if (!desk.session.removed_motor(n) && !desk.session.motors()[n].path && !desk.session.acts(n))
+                debug_draw(desk.session.motors()[n].motor, k_dim, sink);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto near = nearest(desk, projection, {mouse.x, mouse.y});
     for (const Held& one : held(desk)) {

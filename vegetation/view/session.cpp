@@ -263,6 +263,10 @@ Result<void> Session::record(const engine::Frame& frame, const render::Camera& c
 
 // --- Changes -----------------------------------------------------------------------------------------------------------------
 
+bool Session::acts(std::size_t place) const {
+    return player_->air().control().motors().find(player_->scene_air().motor(place)) != nullptr;
+}
+
 bool Session::can_change_obstacle(std::size_t place) const {
     return place < obstacles_read_ || place >= obstacles_read_ + hills_;
 }

@@ -71,6 +71,8 @@ class Session {
     // --- Changes: one that is rejected changes nothing ---------------------------------------------------------------------------
     [[nodiscard]] const std::vector<scene::SceneMotor>& motors() const { return scene_->air.motors; }
     [[nodiscard]] const std::vector<scene::SceneObstacle>& obstacles() const { return scene_->air.obstacles; }
+    /// Whether the motor is in the air now.
+    [[nodiscard]] bool acts(std::size_t place) const;
     [[nodiscard]] bool removed_motor(std::size_t place) const { return motor_removed_[place]; }
     [[nodiscard]] bool removed_obstacle(std::size_t place) const { return obstacle_removed_[place]; }
     /// Of the file or added here; hills of the picture's ground are not.

@@ -129,6 +129,8 @@ class Loop {
         if (!sized || !*sized)
             return sized;
         const VkExtent2D extent = window_.extent();
+        if (std::exchange(remade_, window_.remade()) != window_.remade() && summary_.frames > 0)
+            desk_.tell(message("the window has ", extent.width, " x ", extent.height, " px"));
         if (auto matched = painter_.match(extent); !matched)
             return matched.failure();
         const glm::ivec2 wanted = picture_size(extent, session_.settings().draft);
@@ -228,7 +230,8 @@ class Loop {
             panel += cpu_seconds(CLOCK_THREAD_CPUTIME_ID) - shown;
         }
         panel_cpu_ += panel;
-        ++summary_.frames;
+        if (summary_.frames++ == 0)
+            desk_.tell("opened " + session_.file().string());
         return kept ? keep(filming) : Result<void>{};
     }
 
@@ -254,7 +257,7 @@ class Loop {
     Clock::time_point begun_{}, last_{}, looked_{};
     std::filesystem::file_time_type written_{};
     double cpu_ = 0.0, cpu_last_ = 0.0, panel_cpu_ = 0.0; // [s]
-    int lively_ = 3;
+    int lively_ = 3, remade_ = 0;
 };
 
 } // namespace

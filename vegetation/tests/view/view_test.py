@@ -40,7 +40,7 @@ class Hand:
         self.program, self.pictures = program, pictures
         number = free_display()
         self.environment = dict(os.environ, DISPLAY=f":{number}")
-        self.display = subprocess.Popen(["Xvfb", f":{number}", "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
+        self.display = subprocess.Popen(["Xvfb", f":{number}", "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         until = time.monotonic() + PATIENCE
         while not pathlib.Path(f"/tmp/.X11-unix/X{number}").exists() and time.monotonic() < until:
@@ -51,7 +51,7 @@ class Hand:
         self.said = []
         self.lines = queue.Queue()
         self.window = subprocess.Popen([self.program, "view", str(scene), "--size", "%dx%d" % SIZE, *flags], env=self.environment, text=True,
-                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=pathlib.Path(scene).parent)
         threading.Thread(target=self.read, args=(self.window.stdout,), daemon=True).start()
         until = time.monotonic() + PATIENCE
         self.id = ""
@@ -62,7 +62,7 @@ class Hand:
         assert self.id, "no window was opened"
         self.do("windowmove", self.id, 0, 0)
         self.do("windowfocus", self.id)
-        time.sleep(0.5)
+        self.heard(": opened ")
 
     def read(self, stream):
         for line in stream:
@@ -189,15 +189,19 @@ def work(hand, windrow, folder, scene):
         hand.key("period")
         hand.heard("made a step", before)
     line, _ = hand.heard(r"^0\.2 s: made a step")
+    hand.key("f")
+    hand.heard("wrote ")
     hand.picture("7_opened_again")
     code, said = hand.close()
     assert code == 0, said
-    return saved
+    seen = (folder / "yard_edited.raw").read_bytes()
+    assert seen == field_of(windrow, saved, folder / "run", 2), "the window and windrow run differ"
+    assert seen != field_of(windrow, scene, folder / "run_before", 2), "the changes changed nothing"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("windrow")
+    parser.add_argument("windrow", type=lambda path: str(pathlib.Path(path).resolve()))
     parser.add_argument("--long", action="store_true")
     parser.add_argument("--pictures", type=pathlib.Path)
     asked = parser.parse_args()
@@ -215,16 +219,16 @@ def main():
         assert nowhere.returncode == 3 and "needs a display" in nowhere.stdout and nowhere.stdout.count("\n") == 1, nowhere.stdout
         hand = Hand(asked.windrow, asked.pictures)
         try:
-            saved = work(hand, asked.windrow, folder, scene)
-            assert field_of(asked.windrow, saved, folder / "run", 2) != field_of(asked.windrow, scene, folder / "run_before", 2)
+            work(hand, asked.windrow, folder, scene)
             if asked.long:
                 hand.open(scene, "--validation")
                 for n in range(50):
-                    hand.do("windowsize", hand.id, 640 + 8 * (n % 20), 400 + 4 * (n % 23))
-                    time.sleep(0.3)
+                    width, height = 640 + 8 * (n % 20), 400 + 4 * (n % 23)
+                    hand.do("windowsize", hand.id, width, height)
+                    hand.heard(f"the window has {width} x {height} px", n)
                 code, said = hand.close()
                 assert code == 0 and "0 messages of validation" in said, said
-                assert int(re.search(r"(\d+) resizes", said).group(1)) >= 40, said
+                assert int(re.search(r"(\d+) resizes", said).group(1)) >= 50, said
                 print(said.splitlines()[-1])
         finally:
             hand.end()
