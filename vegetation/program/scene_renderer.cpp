@@ -252,6 +252,8 @@ Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
         if (drawn.hidden)
             continue;
         const render::Solid solid = render::obstacle_solid(body.obstacle.shape, drawn);
+        if (solid.empty()) // hills are drawn as ground: a body without parts has no place
+            continue;
         const bool always = body.from <= 0.0 && body.until > scene_.air.duration;
         if (!settings_.edited && always && !body.moves() && body.pivot == glm::dvec3(0.0)) {
             render::add(shapes.front(), solid, placed_at(body.obstacle, anchor_));
