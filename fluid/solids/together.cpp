@@ -16,8 +16,9 @@ namespace {
 constexpr float k_touching = Wholes::k_seam;
 constexpr float k_normal_step = 0.1f; // [cells]
 constexpr float k_seam_step = 0.02f;  // [cells]
-constexpr float k_deepest = 0.6f;     // of `far`: no seam that deep is looked for, the corners of a face are nearer to each other
-constexpr int k_seams = 2;            // that meet: of a third one the distance is taken as it is
+constexpr float k_deepest_seam =
+    0.6f;                  // of `far`: no seam that deep is looked for, the corners of a face are nearer to each other
+constexpr int k_seams = 2; // that meet: of a third one the distance is taken as it is
 constexpr float k_ways[] = {1.0f, 0.5f, 0.25f, 0.1f}; // of `far`, from a seam to where the bodies are looked at
 
 // [m] From a box; 0 within it.
@@ -137,8 +138,8 @@ Together::Nearest Together::nearest(glm::vec3 place, Of of, float most) const {
 }
 
 float Together::away(glm::vec3 place, Of of, int seams) const {
-    const Nearest surface = nearest(place, of, seams == 0 ? far_ : k_deepest * far_);
-    const bool may_be_seam = surface.away <= k_touching * cell_ && surface.away > -k_deepest * far_ && seams < k_seams &&
+    const Nearest surface = nearest(place, of, seams == 0 ? far_ : k_deepest_seam * far_);
+    const bool may_be_seam = surface.away <= k_touching * cell_ && surface.away > -k_deepest_seam * far_ && seams < k_seams &&
                              (any_wall_ || bodies_.size() > 1);
     return may_be_seam ? depth(place, surface, of, seams) : surface.away;
 }

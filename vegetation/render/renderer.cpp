@@ -40,12 +40,14 @@ VkExtent2D extent_of(const RenderSettings& settings) {
     return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)};
 }
 
-// Of the map of the sky; a texel that nothing reads where there is none.
+// Of the map of the sky; a texel that nothing reads where there is none. A small picture's has as many texels as pixels: its light
+// changes within some degrees over the horizon.
 VkExtent2D sky_extent(const RenderSettings& settings) {
     if (settings.quality.sky_pixels == 0)
         return {1, 1};
-    const auto pixels = static_cast<std::uint32_t>(settings.quality.sky_pixels);
+    constexpr std::uint32_t k_fewest = 256; // across
     const VkExtent2D whole = extent_of(settings);
+    const auto pixels = std::min(static_cast<std::uint32_t>(settings.quality.sky_pixels), std::max(whole.width / k_fewest, 1u));
     return {(whole.width + pixels - 1) / pixels, (whole.height + pixels - 1) / pixels};
 }
 

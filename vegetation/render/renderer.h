@@ -51,7 +51,8 @@ struct Quality {
         return std::tuple{
             Setting("sky_pixels", &Quality::sky_pixels,
                     {.min = 0.0, .max = 16.0, .unit = "px", .zero = "no map: each pixel works it out"},
-                    "Pixels along a texel of the map of the clear sky. Sun and clouds are not in it."),
+                    "Pixels along a texel of the map of the clear sky, fewer in pictures that are less than 1024 wide. Sun and "
+                    "clouds are not in it."),
             Setting("cloud_texels", &Quality::cloud_texels,
                     {.min = 0.0, .max = 4096.0, .zero = "no map: each point works it out"},
                     "A side of the map of the clouds' shadow. 512: within 0.1 % of the light."),
