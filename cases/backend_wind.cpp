@@ -35,6 +35,13 @@ Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, [
     return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(std::make_unique<Wind>(*std::move(wind))));
 }
 
+Result<std::unique_ptr<BackendWind>> BackendWind::load(std::span<const std::byte> bytes, const ParallelFor& parallel_for) {
+    auto wind = Wind::load(bytes, parallel_for);
+    if (!wind)
+        return wind.failure();
+    return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(std::make_unique<Wind>(*std::move(wind))));
+}
+
 WindView BackendWind::view() const {
     const WindReader& air = reader();
     if (const auto now = air.view(); now && !failed())

@@ -4,6 +4,7 @@
 
 #include "fluid/wind.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -70,6 +71,9 @@ class BackendWind : public WindControl {
   public:
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
                                                                      BackendClock clock = BackendClock::off);
+    /// A wind on the CPU that goes on from what Wind::save returned.
+    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> load(std::span<const std::byte> bytes,
+                                                                   const ParallelFor& parallel_for);
     virtual ~BackendWind() = default;
     BackendWind(const BackendWind&) = delete;
     BackendWind& operator=(const BackendWind&) = delete;

@@ -102,6 +102,16 @@ void Flags::backend(BackendRequest& backend) {
     device(backend.device);
 }
 
+void Flags::part(scene::Part& part, const std::string& what) {
+    value("--part", "K/N", "Part K of N of the " + what + ", for several processes or machines; --join puts the parts together",
+          [&part](const std::string& text) {
+              const auto read = scene::parse_part(text);
+              if (!read)
+                  reject(read.error());
+              part = *read;
+          });
+}
+
 void Flags::device(int& device) {
     value("--device", "N", "Vulkan device by its number in windrow info; default the first GPU",
           [&device](const std::string& text) {

@@ -6,6 +6,7 @@
 #include "cli/console.h"
 #include "fluid/core/message.h"
 #include "fluid/simd.h"
+#include "scene/part.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -51,6 +52,8 @@ class Flags {
     void folder(const std::string& name, std::optional<std::filesystem::path>& folder, const std::string& help);
     /// --backend and --device; what goes with what is checked by check_backend.
     void backend(BackendRequest& backend);
+    /// --part K/N of `what`.
+    void part(scene::Part& part, const std::string& what);
     /// --device alone, for commands that run on Vulkan whatever is asked.
     void device(int& device);
 

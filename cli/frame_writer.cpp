@@ -207,6 +207,36 @@ Fault FrameWriter::write_contact_sheet() {
 }
 
 std::string FrameWriter::clear_other_frames(scene::Extent extent) const {
+    return scene::clear_other_frames(folder_, kept_files(), last_, extent);
+}
+
+Result<std::vector<std::byte>> FrameWriter::save() const {
+#if WINDROW_WITH_VDB
+    if (vdb_frames_)
+        return vdb_frames_->save();
+#endif
+    return std::vector<std::byte>();
+}
+
+Result<void> FrameWriter::load([[maybe_unused]] std::span<const std::byte> bytes, [[maybe_unused]] const Playback& playback,
+                               std::int64_t count) {
+    for (std::int64_t frame = first_; frame < first_ + count; ++frame) {
+        for (const scene::FrameFiles& files : kept_files())
+            if (const std::filesystem::path file = folder_ / files.name(frame); !std::filesystem::is_regular_file(file))
+                return Error{message(file.string(), ": is missing, though the run is past this frame: drop --resume.")};
+        if (images_)
+            pictures_.push_back(folder_ / images_of().name(frame));
+    }
+    vdbs_ = vdb_ ? static_cast<std::size_t>(count) : 0;
+    fields_written_ = fields_.size() * static_cast<std::size_t>(count);
+#if WINDROW_WITH_VDB
+    if (vdb_frames_)
+        return vdb_frames_->load(bytes, playback);
+#endif
+    return {};
+}
+
+std::vector<scene::FrameFiles> FrameWriter::kept_files() const {
     std::vector<scene::FrameFiles> kept;
     if (images_)
         kept.push_back(images_of());
@@ -217,7 +247,7 @@ std::string FrameWriter::clear_other_frames(scene::Extent extent) const {
         if (format == FieldFormat::raw)
             kept.push_back({"wind_", ".raw.json", digits_});
     }
-    return scene::clear_other_frames(folder_, kept, last_, extent);
+    return kept;
 }
 
 scene::FrameFiles FrameWriter::files_of(FieldFormat format) const {

@@ -8,10 +8,12 @@
 #include "fluid/field_files.h"
 #include "scene/frame_files.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,10 @@ class FrameWriter {
     [[nodiscard]] Fault write(Playback& playback, std::int64_t n);
     /// After each step of dt [s]: what a frame shows of the way here.
     [[nodiscard]] Fault follow(const Playback& playback, double dt);
+    /// What it has gathered beside its files, as bytes.
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
+    /// Goes on from there after `count` frames, whose files are looked for.
+    [[nodiscard]] Result<void> load(std::span<const std::byte> bytes, const Playback& playback, std::int64_t count);
     /// Writes contact_sheet.png of the pictures so far, twelve at most, evenly spread.
     [[nodiscard]] Fault write_contact_sheet();
 
@@ -51,6 +57,8 @@ class FrameWriter {
     [[nodiscard]] Fault write_picture(const Playback& playback, std::int64_t frame);
     [[nodiscard]] Fault write_vdb(Playback& playback, std::int64_t frame);
     [[nodiscard]] Fault write_fields(const Playback& playback, std::int64_t frame);
+    /// Files of each frame.
+    [[nodiscard]] std::vector<scene::FrameFiles> kept_files() const;
     [[nodiscard]] scene::FrameFiles files_of(FieldFormat format) const;
     [[nodiscard]] scene::FrameFiles images_of() const;
 

@@ -7,6 +7,7 @@
 #include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace windrow::cli {
 
@@ -73,11 +74,19 @@ Fault OutputFolder::open(const std::filesystem::path& folder) {
 
 OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), flag_(flag), out_(file_) {}
 
+OutputFile::OutputFile(std::filesystem::path file, KeepText keep, std::string_view begun) : OutputFile(std::move(file)) {
+    if (keep == KeepText::yes)
+        text_.emplace();
+    write(begun);
+}
+
 Fault OutputFile::fault() const {
     return write_fault(file_, out_.error(), flag_);
 }
 
 void OutputFile::write(std::string_view text) {
+    if (text_)
+        *text_ += text;
     if (out_.error() == 0)
         out_.sputn(text.data(), static_cast<std::streamsize>(text.size()));
 }

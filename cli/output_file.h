@@ -4,7 +4,10 @@
 #include "cli/console.h"
 #include "fluid/files/new_file.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace windrow::cli {
@@ -28,10 +31,15 @@ class OutputFolder {
     int lock_ = -1;
 };
 
+/// Whether a file's text stays in memory too, for the snapshot of a run.
+enum class KeepText : std::uint8_t { no, yes };
+
 /// A text file that appears under its name when it is whole (fluid/files/new_file.h). Dropped, it leaves nothing.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path file, const char* flag = "--out");
+    /// The same with `begun` in it. A text that is kept costs its size in memory.
+    OutputFile(std::filesystem::path file, KeepText keep, std::string_view begun);
 
     /// The first fault so far, before long work ends in a file that takes nothing.
     [[nodiscard]] Fault fault() const;
@@ -39,11 +47,14 @@ class OutputFile {
     void write(std::string_view text);
     /// Has the disk confirm and gives the file its name; the first fault of all that was written.
     [[nodiscard]] Fault publish();
+    /// All that was written, of a file that keeps its text.
+    [[nodiscard]] const std::string& text() const { return *text_; }
 
   private:
     std::filesystem::path file_;
     const char* flag_;
     detail::NewFile out_;
+    std::optional<std::string> text_{}; ///< set: it is kept
 };
 
 } // namespace windrow::cli

@@ -20,6 +20,17 @@ Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads
     return playback;
 }
 
+Result<Playback> Playback::load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> wind,
+                                std::span<const std::byte> air) {
+    auto loaded = BackendWind::load(wind, threads);
+    if (!loaded)
+        return loaded.failure();
+    Playback playback(scene, *std::move(loaded));
+    if (const auto begun = playback.air_.load(air); !begun)
+        return begun.failure();
+    return playback;
+}
+
 Result<Diagnostics> Playback::step(const scene::FrameTimes& times) {
     const std::int64_t next = steps() + 1;
     if (const auto placed = air_.advance_to(*wind_, times.time_of_step(next)); !placed)

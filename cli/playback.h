@@ -4,8 +4,10 @@
 #include "cases/backend_wind.h"
 #include "scene/scene_air.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,10 @@ class Playback {
     /// Makes the air of a scene; the scene must outlive it. `threads` may be empty: serial.
     [[nodiscard]] static Result<Playback> create(const scene::Scene& scene, ParallelFor threads,
                                                  const cases::Backend& backend = {});
+
+    /// Goes on from the bytes of Wind::save and SceneAir::save, on the CPU.
+    [[nodiscard]] static Result<Playback> load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> wind,
+                                               std::span<const std::byte> air);
 
     /// Advances by one step of the times given: what moves is put where it is at the step's end, and the air follows.
     [[nodiscard]] Result<Diagnostics> step(const scene::FrameTimes& times);

@@ -62,19 +62,25 @@ void add_probes(Flags& flags, CLI::App& command, ProbeRequest& request) {
     command.add_flag("--forces", request.forces, "Keep forces.csv: force, moment and pressure on each obstacle after each step");
 }
 
-Probes::Probes(const ProbeRequest& request, const std::filesystem::path& folder) : request_(&request) {
-    if (!request.lines.empty()) {
-        probes_ = std::make_unique<OutputFile>(folder / "probes.csv");
-        probes_->write("time_s,probe,point,x_m,y_m,z_m,u_m_s,v_m_s,w_m_s\n");
-    }
+Probes::Probes(const ProbeRequest& request, const std::filesystem::path& folder, KeepText keep, const Tables& begun)
+    : request_(&request) {
+    const auto open = [&](const char* name, std::string_view header, std::string_view rows) {
+        return std::make_unique<OutputFile>(folder / name, keep, rows.empty() ? header : rows);
+    };
+    if (!request.lines.empty())
+        probes_ = open("probes.csv", "time_s,probe,point,x_m,y_m,z_m,u_m_s,v_m_s,w_m_s\n", begun.probes);
     for (const ProbeRequest::Line& line : request.lines)
         for (int n = 0; n < line.count; ++n)
             points_.push_back(line.from + (line.to - line.from) * (line.count > 1 ? n / (line.count - 1.0) : 0.0));
     found_.resize(points_.size());
-    if (request.forces) {
-        forces_ = std::make_unique<OutputFile>(folder / "forces.csv");
-        forces_->write("time_s,obstacle,name,in_box,fx_n,fy_n,fz_n,mx_n_m,my_n_m,mz_n_m,pressure_pa\n");
-    }
+    if (request.forces)
+        forces_ =
+            open("forces.csv", "time_s,obstacle,name,in_box,fx_n,fy_n,fz_n,mx_n_m,my_n_m,mz_n_m,pressure_pa\n", begun.forces);
+}
+
+Probes::Tables Probes::tables() const {
+    return {.probes = probes_ ? std::string_view(probes_->text()) : std::string_view(),
+            .forces = forces_ ? std::string_view(forces_->text()) : std::string_view()};
 }
 
 Fault Probes::follow(const Playback& playback) {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace windrow::cli {
@@ -31,8 +32,14 @@ void add_probes(Flags& flags, CLI::App& command, ProbeRequest& request);
 
 class Probes {
   public:
-    /// Opens probes.csv and forces.csv where they are asked for; the request outlives it.
-    Probes(const ProbeRequest& request, const std::filesystem::path& folder);
+    struct Tables {
+        std::string_view probes{}, forces{};
+    };
+    /// Opens probes.csv and forces.csv where they are asked for; the request outlives it. `begun`: what they hold already, where
+    /// a run goes on.
+    Probes(const ProbeRequest& request, const std::filesystem::path& folder, KeepText keep, const Tables& begun);
+    /// What they hold, where they keep it.
+    [[nodiscard]] Tables tables() const;
 
     /// A row for each point and obstacle that is there, as they are after a step, or before the first.
     [[nodiscard]] Fault follow(const Playback& playback);

@@ -7,6 +7,7 @@
 #include "cli/playback.h"
 #include "cli/progress.h"
 #include "cli/run_report.h"
+#include "cli/run_snapshot.h"
 #include "cli/timings.h"
 #include "fluid/core/message.h"
 #include "scene/scene.h"
@@ -44,6 +45,11 @@ bool check_parts(const RunRequest& request, const Console& console) {
                                  " and configure with -D", option, "=ON."));
     };
     lacks(request.vdb, built_with_vdb(), "--vdb", "OpenVDB", "WINDROW_VDB", "libopenvdb-dev");
+    if (request.snapshot_every > 0 || request.resume)
+        if (request.backend.kind != cases::BackendKind::cpu) {
+            good = false;
+            console.complain("--snapshot-every and --resume need the CPU: drop --backend.");
+        }
     lacks(request.images, built_with_images(), "--images", "pictures", "WINDROW_IMAGES", "libopenimageio-dev and libcairo2-dev");
     return good;
 }
@@ -67,6 +73,20 @@ bool check_memory(const scene::Scene& scene, bool vdb, const Console& console) {
         console.complain(message(scene.file.string(), ": $.air.cells is ", cells, ", which takes about ", needed >> 20,
                                  " MiB, and ", *available >> 20, " MiB are free: give fewer cells."));
     return false;
+}
+
+/// The flags that a run that goes on must have too: not those of its folder, its threads and its snapshots.
+std::string words_of(const CLI::App& run) {
+    std::string words;
+    for (const CLI::Option* const option : run.get_options()) {
+        const auto& names = option->get_lnames();
+        if (option->count() == 0 || names.empty() || names.front() == "out" || names.front() == "threads" ||
+            names.front() == "resume" || names.front() == "snapshot-every")
+            continue;
+        for (const std::string& value : option->results())
+            words += message(words.empty() ? "--" : " --", names.front(), " ", value);
+    }
+    return words;
 }
 
 /// What lasts through a run.
@@ -137,9 +157,15 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
                 [request](const std::string& text) { request->fields = read_formats(text); });
     add_probes(flags, *run, request->probes);
     run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
+    flags.value("--snapshot-every", "N", "Keep run.snapshot after every N frames, for --resume",
+                [request](const std::string& text) {
+                    request->snapshot_every = read_count(text, "--snapshot-every", scene::k_max_frames);
+                });
+    run->add_flag("--resume", request->resume, "Go on from run.snapshot in the folder; from the start where there is none");
     run->callback([run, request, &chosen, &console] {
         check_backend(*run, request->backend);
         check_film(request->film, request->vdb);
+        request->words = words_of(*run);
         chosen = interruptible<RunRequest>(run_scene, request, console);
     });
 }
@@ -172,20 +198,36 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     if (request.probes.forces)
         backend.forces = static_cast<int>(std::max<std::size_t>(scene->obstacles.size(), 1));
     const bool keeps = request.vdb || request.images || request.csv || !request.fields.empty() || request.probes.any();
+    const bool snapshots = request.snapshot_every > 0 || request.resume;
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
     OutputFolder output;
-    if (keeps)
+    if (keeps || snapshots)
         if (const auto fault = output.open(folder))
             return complain_of(fault, console);
+    RunSnapshot snapshot(folder);
+    RunIdentity identity;
+    if (snapshots) {
+        auto found = identity_of(*scene, request.words);
+        const auto begun = found && request.resume ? snapshot.read(*found) : Result<bool>(false);
+        if (!found || !begun) {
+            console.complain(found ? begun.error() : found.error());
+            return k_exit_wrong_use;
+        }
+        identity = *std::move(found);
+    }
+    if (keeps && !request.resume)
+        snapshot.remove(); // its frames are about to be replaced
 
     const auto begin = std::chrono::steady_clock::now();
     const auto pool = make_pool(request.threads, console);
-    auto playback = Playback::create(*scene, pool->parallel_for(), backend);
+    auto playback = snapshot.frames() > 0 ? snapshot.playback(*scene, pool->parallel_for())
+                                          : Playback::create(*scene, pool->parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
         return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
     }
 
+    const KeepText keep = snapshots ? KeepText::yes : KeepText::no;
     SceneRun run{.scene = *scene,
                  .request = request,
                  .console = console,
@@ -193,15 +235,27 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                  .frames = *frames,
                  .writer =
                      FrameWriter(*scene, folder, request.images, request.vdb, request.fields, *frames, pool->parallel_for()),
-                 .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
-                 .probes = Probes(request.probes, folder),
+                 .csv = nullptr,
+                 .probes = Probes(request.probes, folder, keep, snapshot.tables()),
                  .timings = {}};
-    if (run.csv)
-        run.csv->write(timings_header());
+    std::int64_t done = snapshot.frames();
+    if (request.csv)
+        run.csv =
+            std::make_unique<OutputFile>(folder / "timings.csv", keep, done > 0 ? snapshot.timings_csv() : timings_header());
     int code = k_exit_well;
-    if (const auto fault = run.probes.follow(*playback))
+    if (done > 0) {
+        if (const auto restored = snapshot.restore(run.writer, run.timings, *playback); !restored) {
+            console.complain(restored.error());
+            return k_exit_wrong_use;
+        }
+        snapshot.clear();
+    } else if (const auto fault = run.probes.follow(*playback)) {
         code = complain_of(fault, console);
-    std::int64_t done = 0;
+    }
+    const auto keep_snapshot = [&] {
+        if (const auto fault = snapshot.write(identity, done, *playback, run.writer, run.probes, run.timings, run.csv.get()))
+            code = complain_of(fault, console);
+    };
     {
         Progress progress(console.progress, frames->count);
         while (done < frames->count && code == k_exit_well && stop_signal() == 0) {
@@ -218,10 +272,14 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 break;
             }
             ++done;
+            if (request.snapshot_every > 0 && done % request.snapshot_every == 0 && done < frames->count)
+                keep_snapshot();
         }
         progress.update(done);
     }
     const int signal = stop_signal();
+    if (signal != 0 && code == k_exit_well && request.snapshot_every > 0 && done > 0 && done < frames->count)
+        keep_snapshot();
     // A sheet takes seconds: who pressed Ctrl-C does not want to wait for it.
     if (signal == 0 && code == k_exit_well)
         if (const auto fault = run.writer.write_contact_sheet())
@@ -241,6 +299,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         if (const std::string others = run.writer.clear_other_frames(part ? scene::Extent::part : scene::Extent::whole);
             !others.empty())
             console.warn(others);
+
+    if (snapshots && code == k_exit_well && done == frames->count)
+        snapshot.remove(); // there is nothing to go on with
 
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     report_run({.scene = *scene,

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CLI {
@@ -30,7 +31,10 @@ struct RunRequest {
     std::vector<FieldFormat> fields{}; ///< a file a frame of each
     ProbeRequest probes{};
     BackendRequest backend{};
-    int threads = 0; ///< 0: one a core
+    std::int64_t snapshot_every = 0; ///< frames; 0: none
+    bool resume = false;
+    std::string words{}; ///< the flags as they were given, which a snapshot keeps
+    int threads = 0;     ///< 0: one a core
     Simd simd = Simd::best;
 };
 

@@ -44,6 +44,9 @@ class Timings {
     /// those asleep.
     [[nodiscard]] std::string table() const;
 
+    /// All figures, into an archive or out of one (fluid/core/archive.h).
+    static void pass(auto& archive, auto& timings);
+
   private:
     std::array<std::vector<float>, k_stage_count + 1> stage_ms_; ///< of steps that were awake; the last: whole steps
     std::vector<float> asleep_ms_;                               ///< whole steps
@@ -57,6 +60,14 @@ class Timings {
     std::optional<int> motors_lost_{};
     std::optional<double> first_repair_time_;
 };
+
+void Timings::pass(auto& archive, auto& timings) {
+    for (auto& stage : timings.stage_ms_)
+        archive(stage);
+    archive(timings.asleep_ms_, timings.substeps_, timings.largest_cfl_, timings.largest_speed_, timings.limited_cells_,
+            timings.limited_steps_, timings.repaired_cells_, timings.jumps_, timings.fast_turns_, timings.filled_,
+            timings.sealed_, timings.motors_lost_, timings.first_repair_time_);
+}
 
 /// The value that a share `q` of the values lies at or below: the nearest rank. 0 without values.
 [[nodiscard]] float quantile(std::vector<float> values, double q);

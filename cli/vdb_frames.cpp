@@ -105,6 +105,20 @@ Fault VdbFrames::write(Playback& playback, std::int64_t number) {
     return written(film->grid, frame, playback.time());
 }
 
+Result<std::vector<std::byte>> VdbFrames::save() const {
+    return smoke_ ? smoke_->save() : std::vector<std::byte>();
+}
+
+Result<void> VdbFrames::load(std::span<const std::byte> bytes, const Playback& playback) {
+    if (bytes.empty())
+        return {};
+    auto made = Tracer::load(bytes, playback.wind().view(), playback.wind().obstacles().in_reach(), parallel_for_);
+    if (!made)
+        return made.failure();
+    smoke_ = *std::move(made);
+    return {};
+}
+
 Result<WindView> VdbFrames::air_of(const Playback& playback) {
     const WindView air = playback.wind().view();
     obstacle_.clear();

@@ -7,9 +7,11 @@
 #include "fluid/tracer.h"
 #include "fluid/vdb/vdb_export.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace windrow::cli {
@@ -23,6 +25,11 @@ class VdbFrames {
     [[nodiscard]] Fault follow(const Playback& playback, double dt);
     /// Writes vel_0000.vdb, whole or not at all.
     [[nodiscard]] Fault write(Playback& playback, std::int64_t number);
+
+    /// Its smoke as bytes; empty where it has none yet.
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
+    /// Goes on from there, with the air of the same moment.
+    [[nodiscard]] Result<void> load(std::span<const std::byte> bytes, const Playback& playback);
 
   private:
     /// The wind's cells, and those inside obstacles in `obstacle_` where they are asked for. Before the first step the cells inside

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""fuzz.py PRESET [PARSER...] [--executions N | --seconds S] [--fresh]
+"""fuzz.py PRESET [PARSER...] [--executions N | --seconds S] [--part K/N] [--fresh]
+fuzz.py PRESET --join FOLDER...
 
 Runs the fuzz targets of build/PRESET one after the other, a slice of time each, until every parser has had N executions with this
 preset, or S seconds have passed. Without either: one slice each.
@@ -7,6 +8,9 @@ preset, or S seconds have passed. Without either: one slice each.
 build/fuzz-corpus/PARSER     the corpus, where the next run goes on
 build/fuzz-corpus/counts.csv executions, accepted inputs and seconds of each parser and preset, over all runs
 build/fuzz-findings          inputs that ended a parser; the exit code is 1 where this run added one
+
+--part K/N takes every N-th parser, for machines that share the work. --join adds what other machines have in their folders `build`:
+corpora, counts and findings. A folder is joined once: its counts have a mark then.
 """
 import argparse
 import csv
@@ -64,6 +68,36 @@ def write_table(table):
     beside.replace(TABLE)
 
 
+def read_part(text):
+    numbers = text.split("/")
+    if len(numbers) != 2 or not all(number.isdigit() for number in numbers) or not 1 <= int(numbers[0]) <= int(numbers[1]):
+        raise argparse.ArgumentTypeError(f"{text}: give K/N, part K of N, such as 1/8")
+    return int(numbers[0]), int(numbers[1])
+
+
+def join(folder):
+    """Adds the folder `build` of another machine: a sentence where it has none of this."""
+    counts, mark = folder / "fuzz-corpus" / "counts.csv", folder / "fuzz-corpus" / "joined"
+    if not counts.is_file():
+        return f"{counts} is missing: name the folder build of a machine that has fuzzed"
+    if mark.is_file():
+        return f"{folder} was joined before: its counts would be added twice"
+    with open(counts, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    added = 0
+    for row in rows:
+        for source, kept in ((folder / "fuzz-corpus" / row["parser"], CORPUS / row["parser"]), (folder / "fuzz-findings", FINDINGS)):
+            kept.mkdir(parents=True, exist_ok=True)
+            for path in source.iterdir() if source.is_dir() else ():
+                if path.is_file() and not (kept / path.name).exists():  # libFuzzer names an input after its content
+                    (kept / path.name).write_bytes(path.read_bytes())
+                    added += 1
+        add_counts(row["parser"], row["preset"], (int(row["executions"]), int(row["accepted"]), float(row["seconds"])))
+    mark.touch()
+    print(f"{folder}: {added} inputs and the counts of {len(rows)} rows")
+    return None
+
+
 def run_slice(parser, preset, limit, fresh):
     """One libFuzzer process: executions, accepted, seconds, and its exit code; None where it was interrupted."""
     corpus = CORPUS / parser
@@ -109,7 +143,9 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("preset", choices=("fuzz", "fuzz-fast"))
     arguments.add_argument("parsers", nargs="*", metavar="PARSER", help=", ".join(LONGEST))
+    arguments.add_argument("--part", type=read_part, metavar="K/N", default=(1, 1), help="part K of N of the parsers")
     limits = arguments.add_mutually_exclusive_group()
+    limits.add_argument("--join", type=pathlib.Path, nargs="+", metavar="FOLDER", help="folders build of other machines")
     limits.add_argument("--executions", type=int, metavar="N", help="of each parser, those of former runs included")
     limits.add_argument("--seconds", type=float, metavar="S", help="of all parsers together")
     arguments.add_argument("--fresh", action="store_true", help="begin with the seeds: reading a large corpus takes its own time")
@@ -118,6 +154,12 @@ def main():
     for parser in parsers:
         if parser not in LONGEST:
             arguments.error(f"unknown parser {parser}: use {', '.join(LONGEST)}")
+    if wish.join:
+        faults = [fault for fault in map(join, wish.join) if fault]
+        for fault in faults:
+            print(f"fuzz.py: {fault}", file=sys.stderr)
+        sys.exit(2 if faults else 0)
+    parsers = parsers[wish.part[0] - 1::wish.part[1]]
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     well = True

@@ -11,7 +11,7 @@ namespace {
 
 using namespace vulkan;
 
-constexpr std::uint32_t k_group[] = {128};
+constexpr std::uint32_t k_copy_group[] = {128};
 constexpr std::uint32_t k_groups = 2048; // 262,144 threads: more than any device runs at once
 
 } // namespace
@@ -29,7 +29,7 @@ Result<CopyRounds> CopyRounds::create(Device& device, VkDeviceSize bytes) {
     const std::vector<VkDescriptorType> kinds(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     auto pipeline = Pipeline::create(device, {.code = shader_words::copy_rounds,
                                               .bindings = kinds,
-                                              .constants = k_group,
+                                              .constants = k_copy_group,
                                               .push_bytes = 2 * sizeof(std::uint32_t),
                                               .name = "copy_rounds"});
     if (!pipeline)
@@ -70,12 +70,12 @@ void CopyRounds::launch_nothing(VkCommandBuffer commands) const {
 }
 
 VkDeviceSize CopyRounds::copied(VkDeviceSize bytes) {
-    constexpr VkDeviceSize once = VkDeviceSize{k_groups} * k_group[0] * sizeof(glm::vec4);
+    constexpr VkDeviceSize once = VkDeviceSize{k_groups} * k_copy_group[0] * sizeof(glm::vec4);
     return std::max<VkDeviceSize>(1, (bytes + once - 1) / once) * once;
 }
 
 void CopyRounds::copy(VkCommandBuffer commands, VkDeviceSize bytes) const {
-    constexpr VkDeviceSize once = VkDeviceSize{k_groups} * k_group[0] * sizeof(glm::vec4);
+    constexpr VkDeviceSize once = VkDeviceSize{k_groups} * k_copy_group[0] * sizeof(glm::vec4);
     push(commands, static_cast<std::uint32_t>(from_.bytes() / sizeof(glm::vec4)),
          static_cast<std::uint32_t>(copied(bytes) / once));
     functions_->vkCmdDispatch(commands, k_groups, 1, 1);

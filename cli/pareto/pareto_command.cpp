@@ -84,6 +84,9 @@ void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& cons
     flags.backend(request->backend);
     flags.threads(request->threads, "Most threads; default one a core; errors do not depend on it");
     flags.simd(request->simd, "all methods run on them");
+    flags.part(request->part, "flows, dealt out in turn; give each part an --out of its own");
+    flags.values("--join", "DIR", "Make pareto.csv in --out of those in the folders of all parts; no flow is run",
+                 [request](const std::string& folder) { request->join.emplace_back(folder); });
     pareto->callback([=, &chosen, &console] {
         check_backend(*pareto, request->backend);
         request->flows = chosen_flows(*quick, *names);
@@ -91,6 +94,16 @@ void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& cons
         request->one_thread_too = !*quick;
         request->seconds = *quick ? 0.4 : 1.5;
         request->out = out->value_or(std::filesystem::path("out") / "pareto");
+        if (!request->join.empty()) {
+            if (pareto->count("--part") > 0)
+                reject("--join is given with --part: it runs nothing, drop one of them.");
+            chosen = [request, &console] { return join_pareto(*request, console); };
+            return;
+        }
+        if (!request->part.is_whole()) {
+            std::int64_t place = 0;
+            std::erase_if(request->flows, [&](const ParetoFlow&) { return !request->part.holds(place++); });
+        }
         chosen = interruptible<ParetoRequest>(run_pareto, request, console);
     });
 }

@@ -7,6 +7,7 @@
 #include "fluid/parallel.h"
 #include "fluid/result.h"
 #include "fluid/simd.h"
+#include "scene/part.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,8 @@ struct ParetoRequest {
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
     std::filesystem::path out;
+    scene::Part part{};                        ///< of the flows, which are that part's already
+    std::vector<std::filesystem::path> join{}; ///< folders of parts; no flow is run
 };
 
 // --- The front of those that nothing beats: of a set of points, those than which no other is at once no dearer and no worse, and
@@ -118,6 +121,9 @@ void report_front(const FlowResult& flow, int threads, const Console& console);
 ///     ms_per_second                          time for a second of the flow: step_ms * steps / flow time
 ///     machine                                what ran the methods, and its SIMD level; quoted
 [[nodiscard]] std::string pareto_csv(const ParetoResult& result);
+
+/// Makes pareto.csv of those in the folders of all parts, each flow from one of them. Returns the exit code.
+[[nodiscard]] int join_pareto(const ParetoRequest& request, const Console& console);
 
 /// Memory that the flow's largest grid takes. [bytes]
 [[nodiscard]] std::uint64_t flow_run_bytes(const cases::ParetoFlow& flow);

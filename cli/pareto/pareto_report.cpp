@@ -1,11 +1,15 @@
+#include "cli/output_file.h"
 #include "cli/pareto/pareto_command.h"
 #include "cli/table.h"
 #include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 #include "scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -96,6 +100,56 @@ std::string pareto_csv(const ParetoResult& result) {
                                     row.order ? rounded(*row.order) : "", ",", rounded(row.step_ms), ",", rounded(row.vs_stam40),
                                     ",", row.threads, ",", rounded(row.ms_per_second), ",", machine, "\n");
     return text;
+}
+
+int join_pareto(const ParetoRequest& request, const Console& console) {
+    const auto rejected = [&](const std::string& sentence) {
+        console.complain(sentence);
+        return k_exit_wrong_use;
+    };
+    constexpr std::size_t k_case_column = 6;
+    std::string header;
+    std::map<std::string, std::pair<std::size_t, std::string>> found; // the part and the rows of a flow
+    const auto file_of = [&](std::size_t part) { return (request.join[part] / "pareto.csv").string(); };
+    for (std::size_t part = 0; part < request.join.size(); ++part) {
+        const std::string file = file_of(part);
+        const auto text = detail::read_input(file, {.max_bytes = std::size_t{64} << 20});
+        if (!text)
+            return rejected(text.error());
+        std::istringstream lines(*text);
+        std::string row;
+        std::getline(lines, row);
+        if (row != pareto_csv({}).substr(0, row.size()) || row.empty())
+            return rejected(message(file, ": is not what windrow pareto writes: give the folders of the parts."));
+        header = row;
+        while (std::getline(lines, row)) {
+            std::size_t begin = 0;
+            for (std::size_t column = 0; column < k_case_column; ++column)
+                begin = std::min(row.find(',', begin), row.size() - 1) + 1;
+            const std::string flow = row.substr(begin, row.find(',', begin) - begin);
+            auto& [from, rows] = found.try_emplace(flow, part, "").first->second;
+            if (from != part)
+                return rejected(message(file, ": has the flow ", flow, ", as ", file_of(from), " has: give each part once."));
+            rows += row + "\n";
+        }
+    }
+    std::string text = header + "\n";
+    for (const ParetoFlow& flow : request.flows) {
+        const auto rows = found.find(flow.name);
+        if (rows == found.end())
+            return rejected(
+                message("--join has no folder with the flow ", flow.name, ": run its part, or name the flows with --flow."));
+        text += rows->second.second;
+    }
+    OutputFolder output;
+    if (const Fault fault = output.open(request.out))
+        return complain_of(fault, console);
+    OutputFile csv(request.out / "pareto.csv");
+    csv.write(text);
+    if (const Fault fault = csv.publish())
+        return complain_of(fault, console);
+    console.out << "In " << request.out.string() << ": pareto.csv of " << message(request.join.size()) << " parts.\n";
+    return k_exit_well;
 }
 
 bool beats(const CostError& a, const CostError& b) {

@@ -79,9 +79,25 @@ void add_verify(CLI::App& app, std::span<const VerifyCase> known, std::function<
     flags.simd(request->simd, "levels differ by rounding");
     flags.file("--json", request->json, "File for all errors and bounds; written atomically");
     flags.folder("--plots", request->plots, "Folder for the curves of cases that have some, as CSV for ./dev plots");
+    flags.part(request->part, "cases, dealt out in turn");
+    flags.values("--join", "FILE", "Make the file --json of those of all parts; no case is run",
+                 [request](const std::string& file) { request->join.emplace_back(file); });
     verify->callback([=, &chosen, &console] {
         check_backend(*verify, request->backend);
         choose_cases(*names, known, *request);
+        if (!request->join.empty()) {
+            for (const char* const other : {"--part", "--list", "--plots"})
+                if (verify->count(other) > 0)
+                    reject("--join is given with ", other, ": it runs nothing, drop one of them.");
+            if (!request->json)
+                reject("--join needs --json, the file to make: add it.");
+            chosen = [request, &console] { return join_verify(*request, console); };
+            return;
+        }
+        if (!request->part.is_whole()) {
+            std::int64_t place = 0;
+            std::erase_if(request->cases, [&](const VerifyCase&) { return !request->part.holds(place++); });
+        }
         for (const char* const output : {"--json", "--plots"})
             if (request->list && verify->count(output) > 0)
                 reject(output, " is given with --list, which runs nothing: drop one of them.");

@@ -5,6 +5,7 @@
 #include "cli/backend.h"
 #include "cli/console.h"
 #include "fluid/simd.h"
+#include "scene/part.h"
 
 #include <filesystem>
 #include <functional>
@@ -29,6 +30,8 @@ struct VerifyRequest {
     Simd simd = Simd::best;
     std::optional<std::filesystem::path> json{};
     std::optional<std::filesystem::path> plots{}; ///< a folder
+    scene::Part part{};                           ///< of the cases, which are that part's already
+    std::vector<std::filesystem::path> join{};    ///< files of parts; no case is run
 };
 
 /// Adds the command, which chooses among `known`; where it is chosen, `chosen` runs it.
@@ -37,6 +40,10 @@ void add_verify(CLI::App& app, std::span<const cases::VerifyCase> known, std::fu
 /// Returns the exit code: well where each case passes. `stop_signal` is asked between resolutions; anything but 0 ends the run
 /// there, and no file is made.
 [[nodiscard]] int run_verify(const VerifyRequest& request, const Console& console, const std::function<int()>& stop_signal);
+
+/// Makes the --json file of the whole from those of its parts, each case from one of them. Returns the exit code: 1 where a row is
+/// out of bounds.
+[[nodiscard]] int join_verify(const VerifyRequest& request, const Console& console);
 
 /// Name and flow of each case.
 void report_list(std::span<const cases::VerifyCase> cases, const Console& console);

@@ -1,11 +1,15 @@
+#include "cli/output_file.h"
 #include "cli/table.h"
 #include "cli/verify/verify_command.h"
 #include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace windrow::cli {
 
@@ -109,6 +113,60 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     else
         console.complain(message(count, " of ", all, count == 1 ? " is" : " are", " out of bounds: ", failed, "."));
     console.out.flush();
+}
+
+int join_verify(const VerifyRequest& request, const Console& console) {
+    using Json = nlohmann::ordered_json;
+    std::map<std::string, std::pair<std::size_t, Json>> found; // the part and the rows of a case
+    for (std::size_t at = 0; at < request.join.size(); ++at) {
+        const std::filesystem::path& file = request.join[at];
+        const auto text = detail::read_input(file, {.max_bytes = std::size_t{64} << 20});
+        if (!text) {
+            console.complain(text.error());
+            return k_exit_wrong_use;
+        }
+        const Json part = Json::parse(*text, nullptr, false);
+        if (!part.is_object() || !part.contains("cases") || !part["cases"].is_array()) {
+            console.complain(message(file.string(), ": is not what windrow verify --json writes: give the files of the parts."));
+            return k_exit_wrong_use;
+        }
+        for (const Json& row : part["cases"]) {
+            const std::string name = row.is_object() && row.contains("name") ? row["name"].get<std::string>() : std::string();
+            auto& [from, rows] = found.try_emplace(name, at, Json::array()).first->second;
+            if (from != at) {
+                console.complain(message(file.string(), ": has the case ", name, ", as ", request.join[from].string(),
+                                         " has: give each part once."));
+                return k_exit_wrong_use;
+            }
+            rows.push_back(row);
+        }
+    }
+    Json entries = Json::array();
+    for (const VerifyCase& one : request.cases) {
+        const auto rows = found.find(one.name);
+        if (rows == found.end()) {
+            console.complain(
+                message("--join has no file with the case ", one.name, ": run its part, or name the cases with --case."));
+            return k_exit_wrong_use;
+        }
+        for (Json& row : rows->second.second)
+            entries.push_back(std::move(row));
+        found.erase(rows);
+    }
+    if (!found.empty()) {
+        console.complain(message(request.join[found.begin()->second.first].string(), ": has the case ", found.begin()->first,
+                                 ", which is not asked for: drop the file, or add --case."));
+        return k_exit_wrong_use;
+    }
+    OutputFile file(*request.json, "--json");
+    file.write(Json{{"cases", entries}}.dump(2) + "\n");
+    if (const Fault fault = file.publish())
+        return complain_of(fault, console);
+    const auto bad = [](const Json& row) { return !row.value("pass", false) && row.value("verdict", "") != "not met"; };
+    const auto out = std::count_if(entries.begin(), entries.end(), bad);
+    console.out << message("In ", request.json->string(), ": ", entries.size(), " rows of ", request.cases.size(), " cases, ",
+                           out, " out of bounds.\n");
+    return out == 0 ? k_exit_well : k_exit_out_of_bounds;
 }
 
 std::string verify_json(const VerifyRequest& request, const std::string& device, std::span<const VerifiedCase> verified) {

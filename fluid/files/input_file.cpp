@@ -23,12 +23,12 @@ Error too_long(const std::string& name, std::size_t most) {
     return Error{message(name, ": is larger than ", most >> 20, " MiB, the most that is read: give a smaller file.")};
 }
 
-} // namespace
-
-Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule, InputBudget& budget) {
+/// `budget` may be null.
+Result<std::string> read_whole(const std::filesystem::path& file, const InputRule& rule, InputBudget* budget) {
     const std::string name = file.string();
-    if (auto taken = budget.take_file(name); !taken)
-        return taken.failure();
+    if (budget != nullptr)
+        if (auto taken = budget->take_file(name); !taken)
+            return taken.failure();
     OpenedFile opened(file);
     if (opened.error() != 0)
         return unreadable(name, opened.error(), rule);
@@ -41,8 +41,9 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
     const std::uintmax_t size = opened.size();
     if (size > rule.max_bytes)
         return too_long(name, rule.max_bytes);
-    if (auto taken = budget.take_bytes(name, static_cast<std::size_t>(size)); !taken)
-        return taken.failure();
+    if (budget != nullptr)
+        if (auto taken = budget->take_bytes(name, static_cast<std::size_t>(size)); !taken)
+            return taken.failure();
     // Files of /proc have the size 0, and any file may grow: the end is where a read returns 0 bytes.
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(size));
@@ -56,6 +57,16 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
         bytes.append(block, static_cast<std::size_t>(got));
     }
     return too_long(name, rule.max_bytes);
+}
+
+} // namespace
+
+Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule, InputBudget& budget) {
+    return read_whole(file, rule, &budget);
+}
+
+Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule) {
+    return read_whole(file, rule, nullptr);
 }
 
 bool is_name_inside(const std::filesystem::path& name) {

@@ -29,6 +29,8 @@ struct InputRule {
 /// `budget` has left. No memory is taken for a file that is too long.
 [[nodiscard]] WINDROW_INTERNAL Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule,
                                                               InputBudget& budget);
+/// The same of a file that the program itself wrote, at the cost of no scene.
+[[nodiscard]] WINDROW_INTERNAL Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule);
 
 /// Whether a name that a file gives stays in that file's folder as it is written: relative, and without `..` that leads out.
 [[nodiscard]] WINDROW_INTERNAL bool is_name_inside(const std::filesystem::path& name);

@@ -10,6 +10,7 @@
 
 #include "fluid/vdb/vdb_export.h"
 
+#include "fluid/core/bytes.h"
 #include "fluid/core/message.h"
 #include "fluid/files/new_file.h"
 #include "fluid/vdb/even_grid.h"
@@ -166,6 +167,30 @@ class SeekableArchive : public openvdb::io::Archive {
     using openvdb::io::Archive::write;
 };
 
+/// OpenVDB gives each file a random tag; here the same content has the same one, so that equal air makes equal files. A UUID of version
+/// 8 (RFC 9562) from checksums of what the file is made of.
+std::string tag_of(const VelocityGrid& grid, const Options& options) {
+    using windrow::detail::checksum, windrow::detail::Hex;
+    std::uint64_t first = checksum(std::as_bytes(grid.field));
+    std::uint64_t second = checksum(std::as_bytes(std::span(grid.obstacle)));
+    const auto mix = [&](std::span<const std::byte> bytes) { second = second * 31 + checksum(bytes); };
+    for (const NamedScalar& scalar : grid.scalars)
+        mix(std::as_bytes(scalar.values));
+    for (const NamedVector& vector : grid.vectors)
+        mix(std::as_bytes(vector.values));
+    const double numbers[] = {grid.origin.x, grid.origin.y, grid.origin.z, options.time, static_cast<double>(options.frame)};
+    mix(std::as_bytes(std::span(numbers)));
+    first = (first & ~std::uint64_t{0xf000}) | 0x8000;
+    second = (second & ~(std::uint64_t{3} << 62)) | std::uint64_t{2} << 62;
+    const std::string digits = message(Hex{static_cast<std::uint32_t>(first >> 32)}, Hex{static_cast<std::uint32_t>(first)},
+                                       Hex{static_cast<std::uint32_t>(second >> 32)}, Hex{static_cast<std::uint32_t>(second)});
+    return digits.substr(0, 8) + "-" + digits.substr(8, 4) + "-" + digits.substr(12, 4) + "-" + digits.substr(16, 4) + "-" +
+           digits.substr(20);
+}
+
+/// Behind the magic number, the versions of the format and of OpenVDB, and a flag.
+constexpr std::streamoff k_tag_at = 8 + 4 + 8 + 1;
+
 #if WINDROW_WITH_NANOVDB
 // NanoVDB writes a file's head last, and its own writer of files does not tell a full disk.
 void write_nanovdb(std::ostream& stream, const openvdb::GridPtrVec& grids) {
@@ -290,10 +315,15 @@ WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, c
             std::ostream stream(&out);
             stream.exceptions(std::ios::failbit | std::ios::badbit);
             const openvdb::GridPtrVec grids = grids_of(grid, options);
-            if (options.format == Format::nanovdb)
+            if (options.format == Format::nanovdb) {
                 write_nanovdb(stream, grids);
-            else
+            } else {
                 SeekableArchive().write(stream, grids, true);
+                const auto end = stream.tellp();
+                stream.seekp(k_tag_at);
+                stream << tag_of(grid, options);
+                stream.seekp(end);
+            }
         } catch (const std::bad_alloc&) {
             throw;
         } catch (const std::exception& exception) {

@@ -5,8 +5,8 @@
 //         std::cerr << written.error() << '\n';
 //
 // A file is written beside its name, checked, and renamed (fluid/files/new_file.h): a full disk leaves the file of that name as it was
-// and nothing else behind, and of two writers of one name the last wins. Files of the same wind differ in 36 bytes, a unique name
-// that OpenVDB gives each file. Different files may be written by different threads at once.
+// and nothing else behind, and of two writers of one name the last wins. Files of the same wind and frame are equal: the tag that
+// OpenVDB fills at random is a hash of it. Different files may be written by different threads at once.
 #pragma once
 
 #include "../api.h"

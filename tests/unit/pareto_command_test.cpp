@@ -91,6 +91,32 @@ TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
                             file + ": is a file where a folder is needed: remove it, or give another folder with --out.");
 }
 
+TEST_F(ParetoCommand, PartsJoinToOneTableInTheOrderOfTheFlows) {
+    ParetoRequest one = small("one"), two = small("two"), whole = small("whole");
+    one.flows.erase(one.flows.begin());
+    two.flows.erase(two.flows.begin() + 1);
+    ASSERT_EQ(pareto(one).code, k_exit_well);
+    ASSERT_EQ(pareto(two).code, k_exit_well);
+    whole.join = {one.out, two.out};
+    const auto join = [](const ParetoRequest& request) {
+        std::ostringstream out, err;
+        const int code = join_pareto(request, {.out = out, .err = err, .progress = nullptr});
+        return CommandOutcome{code, out.str(), err.str()};
+    };
+    EXPECT_EQ(join(whole).code, k_exit_well);
+    const std::string first = text_of(two.out / "pareto.csv"), second = text_of(one.out / "pareto.csv");
+    EXPECT_EQ(text_of(whole.out / "pareto.csv"), first + second.substr(second.find('\n') + 1));
+    whole.join = {one.out, one.out};
+    const std::string file = (one.out / "pareto.csv").string();
+    expect_rejected(join(whole), file + ": has the flow jet, as " + file + " has: give each part once.");
+    whole.join = {one.out};
+    expect_rejected(join(whole),
+                    "--join has no folder with the flow taylor_green_2d: run its part, or name the flows with --flow.");
+    std::ofstream(one.out / "pareto.csv") << "x\n";
+    expect_rejected(join(whole), file + ": is not what windrow pareto writes: give the folders of the parts.");
+    expect_pareto_rejection({"--join", "a", "--part", "1/2"}, "--join is given with --part: it runs nothing, drop one of them.");
+}
+
 // --- What is compared ------------------------------------------------------------------------------------------------
 
 TEST(ParetoMethods, AreAllOfThemAndTheDefaultIsWhatAWindDoes) {

@@ -134,6 +134,41 @@ TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
     EXPECT_EQ(entries(), 1) << "nothing but the file is left";
 }
 
+TEST_F(VerifyCommand, PartsJoinToTheFileOfTheWhole) {
+    const std::string whole = in("whole.json"), one = in("one.json"), two = in("two.json"), joined = in("joined.json");
+    const auto chosen = [](std::vector<const char*> more) {
+        std::vector<const char*> all{"--case", k_quick, "--case", "fourier_transit", "--case", "poisson_mixed"};
+        all.insert(all.end(), more.begin(), more.end());
+        return verify(all);
+    };
+    ASSERT_EQ(chosen({"--json", whole.c_str()}).code, k_exit_well);
+    ASSERT_EQ(chosen({"--part", "1/2", "--json", one.c_str()}).code, k_exit_well);
+    ASSERT_EQ(chosen({"--part", "2/2", "--json", two.c_str()}).code, k_exit_well);
+    EXPECT_NE(test::text_of(one).find("poisson_mixed"), std::string::npos) << "the third is dealt to the first part";
+    const CommandOutcome outcome = chosen({"--json", joined.c_str(), "--join", two.c_str(), one.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
+    expect_words(outcome.out, {"rows of 3 cases, 0 out of bounds."});
+    EXPECT_EQ(test::text_of(joined), test::text_of(whole));
+
+    expect_rejected(chosen({"--json", joined.c_str(), "--join", one.c_str()}),
+                    "--join has no file with the case fourier_transit: run its part, or name the cases with --case.");
+    expect_rejected(chosen({"--json", joined.c_str(), "--join", one.c_str(), whole.c_str()}),
+                    whole + ": has the case " + k_quick + ", as " + one + " has: give each part once.");
+    expect_rejected(chosen({"--join", one.c_str()}), "--join needs --json, the file to make: add it.");
+    expect_rejected(chosen({"--part", "3/2"}), "--part is \"3/2\": give K/N, part K of N, such as 1/8; N is 10000 at most.");
+    expect_rejected(verify({"--json", joined.c_str(), "--case", k_quick, "--join", whole.c_str()}),
+                    whole + ": has the case fourier_transit, which is not asked for: drop the file, or add --case.");
+    std::ofstream(one) << "{}";
+    expect_rejected(chosen({"--json", joined.c_str(), "--join", one.c_str()}),
+                    one + ": is not what windrow verify --json writes: give the files of the parts.");
+    std::string failed = test::text_of(whole);
+    for (const auto& [from, to] :
+         {std::pair("\"pass\": true", "\"pass\": false"), std::pair("\"verdict\": \"pass\"", "\"verdict\": \"FAIL\"")})
+        failed.replace(failed.find(from), std::string_view(from).size(), to);
+    std::ofstream(one) << failed;
+    EXPECT_EQ(chosen({"--json", joined.c_str(), "--join", one.c_str()}).code, k_exit_out_of_bounds);
+}
+
 TEST_F(VerifyCommand, ErrorsDoNotDependOnTheThreads) {
     const std::string one = in("one.json"), three = in("three.json");
     ASSERT_EQ(verify({"--case", "poisson_mixed", "--threads", "1", "--json", one.c_str()}).code, k_exit_well);

@@ -3,6 +3,8 @@
 //     windrow-draw examples/scenes/meadow.json --out out/meadow      every frame as PNG, a contact sheet, a table of times
 //     windrow-draw SCENE.json --frames 1 --from 3.5 --size 1920x1080 one picture, of the moment 3.5 s
 //     windrow-draw SCENE.json --fps 24 --shutter 180 --resume        frames of a film; a run that was stopped goes on
+//     windrow-draw SCENE.json --part 2/8                             a part of the frames: one process or machine of eight
+//     windrow-draw SCENE.json --join --film film.mp4                 once all parts are drawn: what is made of all of them
 //     windrow-draw SCENE.json --show slice                           the wind itself: streaks, arrows, slice; or what plants do:
 //                                                                    lean, levels, chunks
 //     windrow-draw SCENE.json --size 640x360 --film film.webp        a film too; of several scenes behind one another; .mp4 by ffmpeg
@@ -16,6 +18,7 @@
 #include "scene/frame_files.h"
 #include "scene/nearest_word.h"
 #include "scene/number_text.h"
+#include "scene/part.h"
 #include "vegetation/program/film.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/scene_renderer.h"
@@ -56,6 +59,8 @@ struct Options {
     double from = 0.0;                       ///< [s]
     bool resume = false;                     ///< pictures at the begin that are there are kept
     bool exr = false;
+    windrow::scene::Part part{}; ///< of the frames
+    bool join = false;           ///< nothing is drawn: the pictures of all parts are there
     program::SceneRendererSettings scene_renderer{};
 };
 
@@ -91,6 +96,29 @@ std::int64_t first_without_picture(const Options& options, std::int64_t first, s
     return first;
 }
 
+/// Pictures for the contact sheet: every so many of `count`.
+std::int64_t stride_on_sheet(std::int64_t count) {
+    constexpr auto k_most = static_cast<std::int64_t>(k_max_on_sheet);
+    return std::max<std::int64_t>(1, (count + k_most - 1) / k_most);
+}
+
+/// What a run that draws all frames from `first` on, before `end`, would leave behind, from the pictures of its parts.
+Result<Kept> join(const Options& options, std::int64_t first, std::int64_t end) {
+    if (const std::int64_t missing = first_without_picture(options, first, end); missing < end)
+        return Error{windrow::detail::message((options.folder / k_pictures.name(missing)).string(),
+                                              " is missing: draw the part that has this frame, with --part, before --join.")};
+    Kept kept{.first = first, .last = end - 1, .before = end - first};
+    for (std::int64_t frame = first; frame < end; frame += stride_on_sheet(end - first)) {
+        auto picture = windrow::pictures::read_png(options.folder / k_pictures.name(frame));
+        if (!picture)
+            return picture.failure();
+        kept.sheet.push_back(*std::move(picture));
+    }
+    if (auto joined = program::StageTable::join(options.folder); !joined)
+        return joined.failure();
+    return kept;
+}
+
 /// `code`: the exit code of an error.
 Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::SceneRenderer& scene_renderer, int& code) {
     code = k_wrong_use;
@@ -103,18 +131,20 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     if (asked >= total)
         return Error{windrow::detail::message("--from is ", options.from, " s, after the scene's end at ", scene.air.duration,
                                               " s; give an earlier moment.")};
-    const std::int64_t end = options.frames > 0 ? std::min(total, asked + options.frames) : total;
-    const std::int64_t first = options.resume ? first_without_picture(options, asked, end) : asked;
+    const std::int64_t all = (options.frames > 0 ? std::min(total, asked + options.frames) : total) - asked;
+    if (options.join)
+        return join(options, asked, asked + all);
+    const std::int64_t begun = asked + options.part.first(all), end = asked + options.part.end(all);
+    const std::int64_t first = options.resume ? first_without_picture(options, begun, end) : begun;
     const std::int64_t lead = scene_renderer.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
     if (first == end)
-        return Kept{.first = asked, .last = end - 1, .before = end - asked};
+        return Kept{.first = asked, .last = asked + all - 1, .before = end - begun};
     code = k_machine;
     if (auto settled = scene_renderer.warm_up(); !settled)
         return settled.failure();
-    Kept kept{.first = asked, .last = end - 1, .before = first - asked};
+    Kept kept{.first = asked, .last = asked + all - 1, .before = first - begun};
     kept.stages = program::StageTable(scene_renderer);
-    const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
-                                                             static_cast<std::int64_t>(k_max_on_sheet));
+    const std::int64_t every = stride_on_sheet(end - first);
     const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
         if (auto done = frame < lead ? scene_renderer.skip() : scene_renderer.draw(frame >= first); !done)
@@ -198,12 +228,14 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     const bool whole = options.frames == 0 && options.from == 0.0;
     const auto files = std::array{k_pictures, k_exrs};
     if (const std::string others =
-            windrow::scene::clear_other_frames(options.folder, std::span(files).first(options.exr ? 2 : 1), kept->last,
-                                               whole ? windrow::scene::Extent::whole : windrow::scene::Extent::part);
+            !options.part.is_whole()
+                ? ""
+                : windrow::scene::clear_other_frames(options.folder, std::span(files).first(options.exr ? 2 : 1), kept->last,
+                                                     whole ? windrow::scene::Extent::whole : windrow::scene::Extent::part);
         !others.empty())
         (void)complain(others, 0);
     film.shots.push_back({.folder = options.folder, .first = kept->first, .count = kept->last + 1 - kept->first});
-    if (kept->sheet.size() > 1)
+    if (kept->sheet.size() > 1 && options.part.is_whole())
         if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
             return complain(written.error(), code_of(written.failure()));
     if (!kept->sheet.empty() && !options.jpeg.empty())
@@ -215,7 +247,7 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         std::printf("%d pictures were there\n", static_cast<int>(kept->before));
     if (kept->pictures == 0)
         return 0;
-    if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
+    if (auto written = kept->stages.write(options.folder / program::StageTable::name(options.part)); !written)
         return complain(written.error(), code_of(written.failure()));
     std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*scene_renderer)->device().c_str(),
                 static_cast<int>(kept->pictures), (*scene_renderer)->size().x, (*scene_renderer)->size().y, kept->seconds,
@@ -234,6 +266,14 @@ std::string fault_of(const Options& options) {
         if (options.sheet.extension() != ".png")
             return "--sheet " + options.sheet.string() + " is not a PNG; give a name that ends in .png.";
     }
+    if (!options.part.is_whole())
+        for (const auto& [flag, given] :
+             {std::pair("--join", options.join), std::pair("--film", !options.film.empty()),
+              std::pair("--sheet", !options.sheet.empty()), std::pair("--jpeg", !options.jpeg.empty())})
+            if (given)
+                return windrow::detail::message(flag, " is made of all parts: give it without --part, once they are drawn.");
+    if (options.join && options.resume)
+        return "--join draws nothing that --resume could go on with: drop one of them.";
     std::error_code absent;
     if (!options.jpeg.empty() && !std::filesystem::is_directory(options.jpeg, absent))
         return "--jpeg " + options.jpeg.string() + " is not a folder; create it first, or name another.";
@@ -324,7 +364,7 @@ std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) 
 int main(int argument_count, char** arguments) {
     Options options;
     CLI::App app("Draws scene files.", "windrow-draw");
-    std::string size, backend, show = "plants";
+    std::string size, backend, part, show = "plants";
     double frames_per_second = 0.0;
     const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"streaks", program::Show::streaks},
                                                      {"arrows", program::Show::arrows}, {"slice", program::Show::slice},
@@ -341,6 +381,9 @@ int main(int argument_count, char** arguments) {
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
     app.add_flag("--resume", options.resume, "keeps pictures that are there, from the first on, and draws those behind them");
+    app.add_option("--part", part, "K/N: draws part K of N of the frames, for several processes or machines");
+    app.add_flag("--join", options.join,
+                 "draws nothing: makes the contact sheet, the film and times.csv of the pictures of all parts");
     app.add_option("--warm-up", options.scene_renderer.warm_up, "[s] of wind before the first picture; default: the scene's")
         ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
@@ -363,6 +406,12 @@ int main(int argument_count, char** arguments) {
     if (!size.empty())
         if (const std::string fault = read_size(size, options.scene_renderer.size); !fault.empty())
             return complain(fault, 2);
+    if (!part.empty()) {
+        const auto read = windrow::scene::parse_part(part);
+        if (!read)
+            return complain(read.error(), 2);
+        options.part = *read;
+    }
     const auto shown = shows.find(show);
     if (shown == shows.end()) {
         std::vector<std::string> names;

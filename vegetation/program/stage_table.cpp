@@ -1,10 +1,13 @@
 #include "vegetation/program/stage_table.h"
 
+#include "fluid/core/message.h"
+#include "fluid/files/input_file.h"
 #include "fluid/files/new_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 
 namespace windrow::vegetation::program {
@@ -99,6 +102,46 @@ windrow::Result<void> StageTable::write(const std::filesystem::path& file) const
         text += '\n';
     }
     return windrow::detail::write_file("table", file, text);
+}
+
+std::string StageTable::name(const windrow::scene::Part& part) {
+    return part.is_whole() ? "times.csv" : windrow::detail::message("times.", part.number, "-of-", part.count, ".csv");
+}
+
+windrow::Result<void> StageTable::join(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> parts;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (const std::string file = entry.path().filename().string();
+            file.starts_with("times.") && file.find("-of-") != file.npos && file.ends_with(".csv"))
+            parts.push_back(entry.path());
+    if (parts.empty())
+        return {};
+    std::string text;
+    std::map<long long, std::string> rows;
+    for (const std::filesystem::path& part : parts) {
+        const auto table = windrow::detail::read_input(part, {.max_bytes = std::size_t{1} << 30});
+        if (!table)
+            return table.failure();
+        const std::size_t body = std::min(table->find('\n'), table->size() - 1) + 1;
+        text = table->substr(0, body);
+        for (std::size_t begin = body; begin < table->size();) {
+            const std::size_t end = std::min(table->find('\n', begin), table->size() - 1) + 1;
+            const std::string row = table->substr(begin, end - begin);
+            const auto frame = windrow::scene::parse_whole_number(row.substr(0, row.find(',')));
+            if (!frame)
+                return windrow::Error{windrow::detail::message(part.string(), ": is not a table of a part: remove it.")};
+            rows[*frame] = row;
+            begin = end;
+        }
+    }
+    for (const auto& [frame, row] : rows)
+        text += row;
+    if (auto written = windrow::detail::write_file("table", folder / "times.csv", text); !written)
+        return written;
+    for (const std::filesystem::path& part : parts)
+        std::filesystem::remove(part, unreadable);
+    return {};
 }
 
 } // namespace windrow::vegetation::program

@@ -1,6 +1,7 @@
 // What the stages of frames took on the device: mean, median and 99 %, and each frame as CSV.
 #pragma once
 
+#include "scene/part.h"
 #include "vegetation/program/scene_renderer.h"
 
 #include <filesystem>
@@ -28,6 +29,10 @@ class StageTable {
     [[nodiscard]] std::string text() const;
     /// A line a frame: frame, then each stage in ms.
     [[nodiscard]] windrow::Result<void> write(const std::filesystem::path& file) const;
+    /// "times.csv", and of a part "times.2-of-8.csv".
+    [[nodiscard]] static std::string name(const windrow::scene::Part& part);
+    /// Makes one table of those of all parts in a folder, by the frames, and removes them; none: nothing.
+    [[nodiscard]] static windrow::Result<void> join(const std::filesystem::path& folder);
 
   private:
     std::string what_{};
