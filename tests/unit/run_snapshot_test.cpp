@@ -130,8 +130,8 @@ TEST_F(RunSnapshotOf, AKilledRunGoesOnToTheSameBytes) {
 }
 
 TEST_F(RunSnapshotOf, EveryFrameIsAPlaceToGoOnFrom) {
-    scene =
-        write("smoky.json", std::string(k_smoky).replace(std::string(k_smoky).find("\"duration\": 1.5"), 15, "\"duration\": 0.3"));
+    scene = write("smoky.json",
+                  std::string(k_smoky).replace(std::string(k_smoky).find("\"duration\": 1.5"), 15, "\"duration\": 0.3"));
     const std::string whole = in("whole"), parts = in("parts");
     ASSERT_EQ(run_windrow(words(whole)).code, k_exit_well);
     RunRequest request{.scene = scene, .film = {}, .out = parts, .csv = true};
