@@ -32,6 +32,11 @@ WINDROW_C_API windrow_result windrow_sampling_validate(const windrow_sampling* s
 WINDROW_C_API windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust_tile** tile);
 /* What uses the tile keeps it. */
 WINDROW_C_API void windrow_gust_tile_destroy(windrow_gust_tile* tile);
+/* Its seed and a checksum of its texels, as bytes. */
+WINDROW_C_API windrow_result windrow_gust_tile_save(const windrow_gust_tile* tile, windrow_bytes** bytes);
+/* Bakes the tile again, some 5 ms, and compares its texels with the checksum. Damaged bytes, and those of a library whose pattern is
+   another one, are rejected. */
+WINDROW_C_API windrow_result windrow_gust_tile_load(const void* bytes, uint64_t size, windrow_gust_tile** tile);
 WINDROW_C_API const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count);
 
 typedef struct windrow_ambient_wind windrow_ambient_wind;

@@ -37,6 +37,13 @@ WINDROW_C_API void windrow_scene_destroy(windrow_scene* scene);
 /* Its wind, which takes all calls of wind.h, motors.h and obstacles.h but its own end and its own time; it is the scene's. */
 WINDROW_C_API windrow_wind* windrow_scene_wind(windrow_scene* scene);
 
+/* Writes a wind as a scene file that `windrow run` and windrow_scene_load play: its settings, motors, obstacles and drag as they are now,
+   from time 0 on. The air of this moment is not in it (windrow_wind_save). Its wind is one that was created so, to the bit; bodies that
+   are turned, to rounding. `path` is UTF-8; `duration` [s] above 0; `tick_hz`: steps a second at least, 60 is that of most scenes.
+   Rejects wakes, meshes, voxel grids, grounds and maps of roughness, which a scene has paths or files for. */
+WINDROW_C_API windrow_result windrow_wind_write_scene(const windrow_wind* wind, const char* path, double duration,
+                                                      double tick_hz);
+
 /* One step, as `windrow run` makes it: at most a tick of the scene, so that frames are at the ends of steps. `diagnostics` may be null. */
 WINDROW_C_API windrow_result windrow_scene_step(windrow_scene* scene, windrow_diagnostics* diagnostics);
 /* A frame of dt [s] in the fixed ticks of the wind (windrow_wind_advance); for a game's loop. Either this or steps. */

@@ -255,6 +255,34 @@ WINDROW_C_API windrow_result windrow_wind_write_field(const windrow_wind* wind, 
 WINDROW_C_API uint16_t windrow_to_half(float value);
 WINDROW_C_API float windrow_from_half(uint16_t half);
 
+/* --- Debug view ---------------------------------------------------------------------------------------------------------- */
+
+/* What a line belongs to; hosts have a colour for each. */
+typedef int32_t windrow_debug_kind;
+enum { WINDROW_DEBUG_BOX = 0, WINDROW_DEBUG_MOTOR = 1, WINDROW_DEBUG_OBSTACLE = 2, WINDROW_DEBUG_ARROW = 3 };
+typedef struct windrow_debug_line {
+    windrow_dvec3 begin; /* [m] in the world */
+    windrow_dvec3 end;
+    windrow_debug_kind kind;
+    float speed; /* [m/s] of the wind at an arrow's foot; 0 of others */
+} windrow_debug_line;
+/* Receives each line; it must not change the wind. */
+typedef void (*windrow_debug_draw)(void* user, const windrow_debug_line* line);
+typedef struct windrow_debug_view {
+    uint32_t struct_size;
+    int32_t box;       /* 1 (default): draws the box of air */
+    int32_t motors;    /* 1 (default): draws where each motor acts, and its direction */
+    int32_t obstacles; /* 1 (default): draws forms; a mesh or a voxel grid as the box that holds it, a ground as its edge */
+    int32_t arrows;    /* along each level axis, 0 (none) to 256, default 16: a view still shows 256 arrows apart */
+    float seconds;     /* [s] above 0, at most 1e6, default 0.2: an arrow is as long as the way of the air in this time */
+    double height;     /* [m] -1e6 to 1e6, default 1: of the arrows above the box's low face, where players are */
+} windrow_debug_view;
+WINDROW_C_API windrow_result windrow_debug_view_init(windrow_debug_view* view, uint32_t struct_size);
+/* Calls `draw` for each line of the box, the motors, the obstacles and the arrows, in an order that does not change. `view` may be null:
+   the defaults. Arrows on a device need a read-back. A host that does not call it pays nothing. */
+WINDROW_C_API windrow_result windrow_wind_debug_lines(const windrow_wind* wind, const windrow_debug_view* view,
+                                                      windrow_debug_draw draw, void* user);
+
 /* Uniform blocks for shaders, relative to `anchor` [m]. `sampling` may be null. */
 WINDROW_C_API windrow_result windrow_wind_window_block(const windrow_wind* wind, windrow_dvec3 anchor,
                                                        windrow_window_block* block);

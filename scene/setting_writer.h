@@ -4,9 +4,12 @@
 
 #include "fluid/core/validation.h"
 #include "scene/number_text.h"
+#include "scene/scene.h"
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -56,14 +59,17 @@ template <class Value>
         return written(value);
 }
 
-/// Left out is what a file cannot hold, an optional without a value and a number that is infinite by default, and an empty text.
+/// Left out is what a file cannot hold, what is shared and has a file of its own, an optional without a value and a number that is infinite by default, and an empty text.
 /// The settings of a struct without a name are the object's own.
 template <class Struct>
 [[nodiscard]] nlohmann::json write_object(const Struct& value) {
     nlohmann::json object = nlohmann::json::object();
     for_each_setting(value, [&]<class Row>(const Row& row, const auto& member) {
         using Member = std::remove_cvref_t<decltype(member)>;
-        if constexpr (Row::k_stored != Stored::everywhere) {
+        if constexpr (Row::k_stored != Stored::everywhere || requires { typename Member::element_type; }) {
+        } else if constexpr (std::same_as<Member, glm::quat>) {
+            if (member != Member(1.0f, 0.0f, 0.0f, 0.0f))
+                object["turn_deg"] = written(turn_of(member));
         } else if constexpr (detail::k_is_optional<Member>) {
             if (member)
                 object[row.name] = write_value(*member);

@@ -2,12 +2,26 @@
 #include "c_api/ambient.h"
 
 #include "c_api/source/tables.h"
+#include "fluid/core/archive.h"
 #include "fluid/core/message.h"
 
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 using namespace windrow;
 using namespace windrow::c_api;
+
+namespace {
+
+constexpr detail::Format k_tile_format{"WINDTILE", 1, "gust tile", "windrow_gust_tile_save"};
+
+std::uint64_t checksum_of(const GustTile& tile) {
+    return detail::checksum(std::as_bytes(tile.texels()));
+}
+
+} // namespace
 
 WINDROW_C_INIT(windrow_sampling)
 WINDROW_EXPORT windrow_result windrow_sampling_validate(const windrow_sampling* sampling) {
@@ -27,6 +41,35 @@ WINDROW_EXPORT windrow_result windrow_gust_tile_bake(uint32_t seed, windrow_gust
 }
 WINDROW_EXPORT void windrow_gust_tile_destroy(windrow_gust_tile* tile) {
     delete tile;
+}
+WINDROW_EXPORT windrow_result windrow_gust_tile_save(const windrow_gust_tile* tile, windrow_bytes** bytes) {
+    if (tile == nullptr)
+        return fail_null("tile");
+    return create(bytes, [&]() -> Result<std::vector<std::byte>> {
+        detail::Writer writer(2 * sizeof(std::uint64_t));
+        writer(tile->tile->seed(), checksum_of(*tile->tile));
+        return std::move(writer).finish(k_tile_format);
+    });
+}
+WINDROW_EXPORT windrow_result windrow_gust_tile_load(const void* bytes, uint64_t size, windrow_gust_tile** tile) {
+    if (tile != nullptr)
+        *tile = nullptr;
+    return call({{bytes, "bytes"}}, [&] {
+        return create(tile, [&]() -> Result<std::shared_ptr<const GustTile>> {
+            std::uint32_t seed = 0;
+            std::uint64_t sum = 0;
+            if (const auto read = detail::read_sealed({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)},
+                                                      k_tile_format, [&](detail::Reader& reader) { reader(seed, sum); });
+                !read)
+                return read.failure();
+            auto baked = GustTile::bake(seed);
+            if (!baked)
+                return detail::out_of_memory();
+            if (checksum_of(*baked) != sum)
+                return Error{"gust tile is of a library whose pattern is another one: bake it again."};
+            return baked;
+        });
+    });
 }
 WINDROW_EXPORT const windrow_vec4* windrow_gust_tile_texels(const windrow_gust_tile* tile, uint64_t* count) {
     return value_of(tile, "tile", [&] {

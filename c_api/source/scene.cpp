@@ -3,9 +3,11 @@
 
 #include "c_api/source/tables.h"
 #include "fluid/core/message.h"
+#include "fluid/files/new_file.h"
 #include "fluid/saved_parts.h"
 #include "scene/scene_air.h"
 #include "scene/scene_reader.h"
+#include "scene/scene_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -77,6 +79,18 @@ WINDROW_EXPORT windrow_result windrow_scene_load(const char* path, const windrow
         *scene = nullptr;
     return call({{path, "path"}, {scene, "the place of the new handle"}},
                 [&] { return begin(scene::read_scene(path_of(path)), parallel_for, scene); });
+}
+WINDROW_EXPORT windrow_result windrow_wind_write_scene(const windrow_wind* wind, const char* path, double duration,
+                                                       double tick_hz) {
+    return call({{wind, "wind"}, {path, "path"}}, [&]() -> windrow_result {
+        // The reader's own words where a time is out of range.
+        const auto text = scene::write_scene(*wind->control, {.duration = duration, .tick_hz = tick_hz});
+        if (!text)
+            return done(text);
+        if (const auto read = scene::read_scene_text(*text, path_of(path)); !read)
+            return done(read);
+        return done(detail::write_file("scene", path_of(path), *text));
+    });
 }
 WINDROW_EXPORT windrow_result windrow_scene_parse(const char* text, uint64_t size, const char* path,
                                                   const windrow_parallel_for* parallel_for, windrow_scene** scene) {

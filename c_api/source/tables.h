@@ -3,6 +3,7 @@
 
 #include "c_api/source/convert.h"
 #include "c_api/source/handles.h"
+#include "fluid/debug_lines.h"
 
 namespace windrow::c_api {
 
@@ -51,6 +52,7 @@ struct QueryDefaults {
     windrow_number number = WINDROW_NUMBER_DOUBLE;
 };
 WINDROW_C_STRUCT(windrow_query, QueryDefaults, number);
+WINDROW_C_STRUCT(windrow_debug_view, DebugView, box, motors, obstacles, arrows, seconds, height);
 WINDROW_C_STRUCT_BUT(1, windrow_box, Box, cells, cell_size, boundaries);
 WINDROW_C_STRUCT(windrow_drag_force, DragForce, force, in_box);
 WINDROW_C_STRUCT(windrow_obstacle_force, ObstacleForce, force, moment, pressure, in_box);

@@ -223,5 +223,27 @@ class Command(InFolder):
             self.assertRegex(said, r"--fields (has|is)")
 
 
+class OtherKeeping(unittest.TestCase):
+    def sentence_of(self, call):
+        with self.assertRaises(windrow.WindrowError) as caught:
+            call()
+        return str(caught.exception)
+
+    def test_debug_lines_scenes_and_tiles_of_a_wind(self):
+        wind = windrow.Wind(windrow.Config(cells=(12, 8, 10), boundaries=windrow.Boundaries.open_over_floor(), ambient=(3, 0, 0)))
+        ends, kinds, speeds = wind.debug_lines(arrows=2, seconds=0.5)
+        self.assertEqual((ends.shape, np.bincount(kinds, minlength=4).tolist()), ((24, 2, 3), [12, 0, 0, 12]))
+        np.testing.assert_allclose(ends[12, 1] - ends[12, 0], (1.5, 0, 0), atol=1e-6)
+        self.assertEqual(speeds[12], 3)
+        self.assertIn("arrows is 257", self.sentence_of(lambda: wind.debug_lines(arrows=257)))
+        with tempfile.TemporaryDirectory() as folder:
+            wind.write_scene(f"{folder}/wind.json", duration=2)
+            self.assertEqual(windrow.Scene(f"{folder}/wind.json").duration, 2)
+            self.assertIn("$.duration is -1", self.sentence_of(lambda: wind.write_scene(f"{folder}/wind.json", duration=-1)))
+        tile = windrow.GustTile(5)
+        np.testing.assert_array_equal(windrow.GustTile.load(tile.save()).texels(), tile.texels())
+        self.assertIn("not a Windrow gust tile", self.sentence_of(lambda: windrow.GustTile.load(b"x")))
+
+
 if __name__ == "__main__":
     unittest.main()

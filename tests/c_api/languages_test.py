@@ -63,6 +63,17 @@ def check_csharp_layout(args):
     print(f"{len(said)} structs of C# are laid out as those of Python")
 
 
+def check_csharp_axes(args, environment):
+    """A host in an engine's axes and unit: EngineAxes against the files that engines read."""
+    program = args.work / "engines.exe"
+    sources = [path for path in (args.examples / "csharp").rglob("*.cs") if path.name != "FollowPlayer.cs"]
+    build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", pathlib.Path(__file__).with_name("Engines.cs"), *sources])
+    code, out, err = run([tool("mono", "mono-runtime"), program, args.work], env=environment)
+    print(out, end="")
+    if code != 0 or out.count("well: ") != 7:
+        sys.exit(f"engines.exe ends with {code}: {err}")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("language", choices=("c", "python", "csharp", "rust"))
@@ -86,6 +97,7 @@ def main():
         print(f"a wrong setting: {wrong[2].strip()}")
     if args.language == "csharp":
         check_csharp_layout(args)
+        check_csharp_axes(args, environment)
 
 
 if __name__ == "__main__":

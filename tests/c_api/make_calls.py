@@ -99,6 +99,8 @@ class Maker:
                 lines.append(f"const std::uint64_t {parameter} = world.count({RIGHT_COUNTS.get(f'{name}.{parameter}', RIGHT_COUNTS.get(name, '0'))});")
             elif kind == "windrow_velocity_at":
                 lines.append(f"const auto {parameter} = world.velocity_at();")
+            elif kind == "windrow_debug_draw":
+                lines.append(f"const auto {parameter} = world.debug_draw();")
             elif parameter == "bytes" and what == "void":
                 lines.append("std::uint64_t size = 0; const void* const bytes = world.bytes(size);")
             elif parameter == "size" and ("const void*", "bytes") in parameters:

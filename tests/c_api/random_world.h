@@ -125,6 +125,15 @@ class World {
         return [](void* user, const windrow_dvec3*, windrow_vec3* velocity) { static_cast<World*>(user)->put(*velocity); };
     }
 
+    windrow_debug_draw debug_draw() {
+        if (one_in(20))
+            return nullptr;
+        return [](void*, const windrow_debug_line* line) {
+            if (line->kind < WINDROW_DEBUG_BOX || line->kind > WINDROW_DEBUG_ARROW)
+                std::abort();
+        };
+    }
+
     // --- Verdicts
 
     template <class Made>

@@ -106,6 +106,62 @@ TEST(SceneInC, GoesOnWhereItWasSaved) {
     EXPECT_EQ(windrow_scene_restore(empty.get(), file.data(), file.size() - 1), WINDROW_REJECTED);
 }
 
+TEST(SceneInC, AWindIsWrittenAsASceneThatPlaysItToTheBit) {
+    windrow_config config;
+    ASSERT_EQ(windrow_config_init(&config, sizeof config), WINDROW_OK);
+    windrow_gusts gusts;
+    ASSERT_EQ(windrow_gusts_init(&gusts, sizeof gusts), WINDROW_OK);
+    gusts.intensity = 0.2f;
+    windrow_log_profile profile;
+    ASSERT_EQ(windrow_log_profile_init(&profile, sizeof profile), WINDROW_OK);
+    config.cells = {14, 8, 12};
+    config.cell_size = 0.75f;
+    config.ambient = {2.0f, 0.0f, 0.1f};
+    config.boundaries = windrow_boundaries_open_over_floor();
+    config.gusts = &gusts;
+    config.profile = &profile;
+    config.centre = {3.0, 0.0, -1.5};
+    windrow_wind* wind = nullptr;
+    ASSERT_EQ(windrow_wind_create(&config, &wind), WINDROW_OK) << windrow_last_error();
+    const std::unique_ptr<windrow_wind, void (*)(windrow_wind*)> held(wind, windrow_wind_destroy);
+    windrow_obstacle obstacle;
+    ASSERT_EQ(windrow_obstacle_init(&obstacle, sizeof obstacle), WINDROW_OK);
+    obstacle.position = {4.0, 1.0, -1.0};
+    obstacle.shape = windrow_shape_cylinder(0.9f, 1.1f);
+    windrow_obstacle_id body{};
+    ASSERT_EQ(windrow_wind_add_obstacle(wind, &obstacle, &body), WINDROW_OK);
+    windrow_directional_motor fan;
+    ASSERT_EQ(windrow_directional_motor_init(&fan, sizeof fan), WINDROW_OK);
+    fan.position = {1.0, 1.0, -1.0};
+    windrow_motor_id id{};
+    ASSERT_EQ(windrow_wind_add_directional(wind, &fan, &id), WINDROW_OK);
+
+    const std::string file = testing::TempDir() + "windrow_written_scene.json";
+    ASSERT_EQ(windrow_wind_write_scene(wind, file.c_str(), 2.0, 60.0), WINDROW_OK) << windrow_last_error();
+    windrow_scene* read = nullptr;
+    ASSERT_EQ(windrow_scene_load(file.c_str(), nullptr, &read), WINDROW_OK) << windrow_last_error();
+    const PlayedScene scene(read);
+    EXPECT_EQ(windrow_scene_duration(read), 2.0);
+    for (int step = 0; step < 30; ++step) {
+        ASSERT_EQ(windrow_wind_step(wind, 1.0 / 60.0, nullptr), WINDROW_OK);
+        ASSERT_EQ(windrow_scene_step(read, nullptr), WINDROW_OK);
+    }
+    const windrow_vec4 *host = nullptr, *played = nullptr;
+    std::uint64_t count = 0;
+    ASSERT_EQ(windrow_wind_field(wind, WINDROW_FRAME_NOW, &host, &count, nullptr), WINDROW_OK);
+    ASSERT_EQ(windrow_wind_field(windrow_scene_wind(read), WINDROW_FRAME_NOW, &played, &count, nullptr), WINDROW_OK);
+    EXPECT_EQ(std::memcmp(host, played, count * sizeof(windrow_vec4)), 0);
+
+    EXPECT_EQ(windrow_wind_write_scene(wind, file.c_str(), 0.0, 60.0), WINDROW_REJECTED);
+    EXPECT_NE(std::string_view(windrow_last_error()).find("$.duration is 0"), std::string_view::npos) << windrow_last_error();
+    EXPECT_EQ(windrow_wind_write_scene(wind, "no/such/folder.json", 1.0, 60.0), WINDROW_REJECTED);
+    windrow_wake_motor wake;
+    ASSERT_EQ(windrow_wake_motor_init(&wake, sizeof wake), WINDROW_OK);
+    ASSERT_EQ(windrow_wind_add_wake(wind, &wake, &id), WINDROW_OK);
+    EXPECT_EQ(windrow_wind_write_scene(wind, file.c_str(), 1.0, 60.0), WINDROW_REJECTED);
+    EXPECT_NE(std::string_view(windrow_last_error()).find("a wake has a path"), std::string_view::npos);
+}
+
 TEST(SceneInC, RejectsWhatTheReaderDoes) {
     windrow_scene* scene = nullptr;
     EXPECT_EQ(windrow_scene_load("no/such.json", nullptr, &scene), WINDROW_REJECTED);

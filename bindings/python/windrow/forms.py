@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _c
-from ._library import Handle, WindrowError, library
-from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, as_array, number, of_class, view, whole
+from ._library import Handle, WindrowError, library, taken_bytes
+from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, as_array, data, number, of_class, view, whole
 
 _ONE = _c.Vec3(1.0, 1.0, 1.0)
 
@@ -104,6 +104,17 @@ class GustTile(Shared):
     def __init__(self, seed: int = 1) -> None:
         value = whole("seed", seed, 0, 2**32 - 1)
         self._handle = Handle(lambda out: library.windrow_gust_tile_bake(value, out), "windrow_gust_tile_destroy")
+
+    def save(self) -> bytes:
+        """Its seed and a checksum of its texels."""
+        return taken_bytes(lambda out: library.windrow_gust_tile_save(self._handle.pointer, out))
+
+    @classmethod
+    def load(cls, saved: bytes) -> GustTile:
+        """The tile again, baked in some 5 ms and compared with the checksum. Damaged bytes are rejected."""
+        kept, tile = data("saved", saved), cls.__new__(cls)
+        tile._handle = Handle(lambda out: library.windrow_gust_tile_load(kept, len(kept), out), "windrow_gust_tile_destroy")
+        return tile
 
     def texels(self) -> Floats:
         """A view of its 128 x 16 x 128 texels of four floats."""

@@ -521,6 +521,39 @@ class Wind:
         chosen = os.path.splitext(os.fsdecode(place))[1][1:].lower() if format is None else format
         check(library.windrow_wind_write_field(self._wind, place, _choice("format", chosen, words), number("time", time)))
 
+    def write_scene(self, path: str | os.PathLike[str], *, duration: float = 10.0, tick_hz: float = 60.0) -> None:
+        """Writes a scene file that `windrow run` and `Scene` play: settings, motors, obstacles and drag as they are now, from time 0 on.
+
+        The air of this moment is not in it (`save`). `duration` [s] above 0, default 10, that of most examples; `tick_hz`: steps a second
+        at least. Wakes, meshes, voxel grids, grounds and maps of roughness are rejected: a scene has paths or files for them.
+        """
+        check(library.windrow_wind_write_scene(self._wind, text("path", path), number("duration", duration), number("tick_hz", tick_hz)))
+
+    def debug_lines(self, *, box: bool = True, motors: bool = True, obstacles: bool = True, arrows: int = 16, seconds: float = 0.2,
+                    height: float = 1.0) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], npt.NDArray[np.float32]]:
+        """Lines of a debug view: ends [m] of shape (n, 2, 3), what each belongs to, and the speed [m/s] of the wind at an arrow's foot.
+
+        0 is the box, 1 a motor, 2 an obstacle, 3 an arrow. `arrows` along each level axis, 0 (none) to 256; `seconds`: an arrow is as
+        long as the way of the air in this time, above 0; `height` [m] of the arrows above the box's low face.
+        """
+        wanted = _c.DebugView()
+        check(library.windrow_debug_view_init(ctypes.byref(wanted), ctypes.sizeof(wanted)))
+        wanted.box, wanted.motors, wanted.obstacles = int(box), int(motors), int(obstacles)
+        wanted.arrows, wanted.seconds = whole("arrows", arrows, 0, 256), number("seconds", seconds)
+        wanted.height = number("height", height)
+        ends: list[tuple[float, ...]] = []
+        kinds: list[int] = []
+        speeds: list[float] = []
+
+        def draw(_user: object, line: Any) -> None:
+            one = line.contents
+            ends.append((one.begin.x, one.begin.y, one.begin.z, one.end.x, one.end.y, one.end.z))
+            kinds.append(one.kind)
+            speeds.append(one.speed)
+
+        check(library.windrow_wind_debug_lines(self._wind, ctypes.byref(wanted), _c.DebugDraw(draw), None))
+        return (np.array(ends, np.float64).reshape(-1, 2, 3), np.array(kinds, np.int32), np.array(speeds, np.float32))
+
     @property
     def memory_bytes(self) -> int:
         """That the wind has allocated."""

@@ -17,6 +17,7 @@ namespace Windrow
     public enum Number { Float = 0, Double = 1 }
     public enum Texel { Half = 0, Float = 1 }
     public enum FieldFormat { Fga = 0, Vf = 1, Raw = 2, Npz = 3, Vti = 4 }
+    public enum DebugKind { Box = 0, Motor = 1, Obstacle = 2, Arrow = 3 }
     public static partial class Constants
     {
         public const int FollowDefault = -1, FollowX = 1, FollowY = 2, FollowZ = 4, StageSources = 1,
@@ -435,6 +436,25 @@ namespace Windrow
         [DllImport(Native.Library)] private static extern int windrow_query_init(out Query it, uint size);
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DebugLine
+    {
+        public DVec3 Begin, End;
+        public DebugKind Kind;
+        public float Speed;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct DebugView
+    {
+        public uint StructSize;
+        public int Box, Motors, Obstacles, Arrows;
+        public float Seconds;
+        public double Height;
+        public static DebugView Default() { return Native.Filled<DebugView>(windrow_debug_view_init); }
+        [DllImport(Native.Library)] private static extern int windrow_debug_view_init(out DebugView it, uint size);
+    }
+
     public static partial class Calls
     {
         [DllImport(Native.Library)]
@@ -502,6 +522,10 @@ namespace Windrow
         public static extern Result windrow_gust_tile_bake(uint seed, IntPtr tile);
         [DllImport(Native.Library)]
         public static extern void windrow_gust_tile_destroy(IntPtr tile);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_gust_tile_save(IntPtr tile, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_gust_tile_load(IntPtr bytes, ulong size, IntPtr tile);
         [DllImport(Native.Library)]
         public static extern IntPtr windrow_gust_tile_texels(IntPtr tile, IntPtr count);
         [DllImport(Native.Library)]
@@ -622,6 +646,10 @@ namespace Windrow
         public static extern ushort windrow_to_half(float value);
         [DllImport(Native.Library)]
         public static extern float windrow_from_half(ushort half);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_debug_view_init(IntPtr view, uint struct_size);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_debug_lines(IntPtr wind, IntPtr view, IntPtr draw, IntPtr user);
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_window_block(IntPtr wind, DVec3 anchor, IntPtr block);
         [DllImport(Native.Library)]

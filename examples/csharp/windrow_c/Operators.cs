@@ -81,6 +81,9 @@ namespace Windrow
         [DllImport(Native.Library)]
         public static extern IntPtr windrow_scene_wind(IntPtr scene);
         [DllImport(Native.Library)]
+        public static extern Result windrow_wind_write_scene(IntPtr wind,
+            [MarshalAs(UnmanagedType.LPUTF8Str)] string path, double duration, double tick_hz);
+        [DllImport(Native.Library)]
         public static extern Result windrow_scene_step(IntPtr scene, IntPtr diagnostics);
         [DllImport(Native.Library)]
         public static extern Result windrow_scene_advance(IntPtr scene, double dt, IntPtr advance);

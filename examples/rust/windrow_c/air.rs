@@ -29,6 +29,8 @@ pub type Number = i32; pub const NUMBER_FLOAT: Number = 0; pub const NUMBER_DOUB
 pub type Texel = i32; pub const TEXEL_HALF: Texel = 0; pub const TEXEL_FLOAT: Texel = 1;
 pub type FieldFormat = i32; pub const FIELD_FGA: FieldFormat = 0; pub const FIELD_VF: FieldFormat = 1;
 pub const FIELD_RAW: FieldFormat = 2; pub const FIELD_NPZ: FieldFormat = 3; pub const FIELD_VTI: FieldFormat = 4;
+pub type DebugKind = i32; pub const DEBUG_BOX: DebugKind = 0; pub const DEBUG_MOTOR: DebugKind = 1;
+pub const DEBUG_OBSTACLE: DebugKind = 2; pub const DEBUG_ARROW: DebugKind = 3;
 
 pub type Logger = Option<unsafe extern "C" fn(severity: Severity, sentence: *const c_char, user: *mut c_void)>;
 pub type Allocate = Option<unsafe extern "C" fn(bytes: usize, alignment: usize, user: *mut c_void) -> *mut c_void>;
@@ -36,6 +38,7 @@ pub type Release = Option<unsafe extern "C" fn(memory: *mut c_void, bytes: usize
 pub type Task = Option<unsafe extern "C" fn(argument: *mut c_void, index: i32)>;
 pub type Run = Option<unsafe extern "C" fn(context: *mut c_void, count: i32, task: Task, argument: *mut c_void)>;
 pub type VelocityAt = Option<unsafe extern "C" fn(user: *mut c_void, centre: *const DVec3, velocity: *mut Vec3)>;
+pub type DebugDraw = Option<unsafe extern "C" fn(user: *mut c_void, line: *const DebugLine)>;
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -327,6 +330,19 @@ pub struct Query {
     pub sampling: *const Sampling,
 }
 
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DebugLine {
+    pub begin: DVec3, pub end: DVec3, pub kind: DebugKind, pub speed: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct DebugView {
+    pub struct_size: u32, pub r#box: i32, pub motors: i32, pub obstacles: i32, pub arrows: i32, pub seconds: f32,
+    pub height: f64,
+}
+
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<Vec2>() == 8); assert!(size_of::<Vec3>() == 12); assert!(size_of::<Vec4>() == 16);
@@ -347,7 +363,7 @@ const _: () = {
     assert!(size_of::<PoseBlock>() == 32); assert!(size_of::<GroundPlaceBlock>() == 48);
     assert!(size_of::<GroundBlock>() == 96); assert!(size_of::<StageTimes>() == 64);
     assert!(size_of::<Diagnostics>() == 192); assert!(size_of::<Advance>() == 24); assert!(size_of::<Box>() == 152);
-    assert!(size_of::<Query>() == 80);
+    assert!(size_of::<Query>() == 80); assert!(size_of::<DebugLine>() == 56); assert!(size_of::<DebugView>() == 32);
 };
 
 #[link(name = "windrow")]
@@ -386,6 +402,8 @@ extern "C" {
     pub fn windrow_sampling_validate(sampling: *const Sampling) -> ResultCode;
     pub fn windrow_gust_tile_bake(seed: u32, tile: *mut *mut c_void) -> ResultCode;
     pub fn windrow_gust_tile_destroy(tile: *mut c_void);
+    pub fn windrow_gust_tile_save(tile: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_gust_tile_load(bytes: *const c_void, size: u64, tile: *mut *mut c_void) -> ResultCode;
     pub fn windrow_gust_tile_texels(tile: *const c_void, count: *mut u64) -> *const Vec4;
     pub fn windrow_ambient_settings_init(settings: *mut AmbientSettings, struct_size: u32) -> ResultCode;
     pub fn windrow_ambient_wind_create(settings: *const AmbientSettings, ambient: *mut *mut c_void) -> ResultCode;
@@ -459,6 +477,10 @@ extern "C" {
     ) -> ResultCode;
     pub fn windrow_to_half(value: f32) -> u16;
     pub fn windrow_from_half(half: u16) -> f32;
+    pub fn windrow_debug_view_init(view: *mut DebugView, struct_size: u32) -> ResultCode;
+    pub fn windrow_wind_debug_lines(
+        wind: *const c_void, view: *const DebugView, draw: DebugDraw, user: *mut c_void
+    ) -> ResultCode;
     pub fn windrow_wind_window_block(wind: *const c_void, anchor: DVec3, block: *mut WindowBlock) -> ResultCode;
     pub fn windrow_wind_frame_block(
         wind: *const c_void, anchor: DVec3, sampling: *const Sampling, block: *mut FrameBlock

@@ -63,6 +63,7 @@ extern "C" {
     ) -> ResultCode;
     pub fn windrow_scene_destroy(scene: *mut c_void);
     pub fn windrow_scene_wind(scene: *mut c_void) -> *mut c_void;
+    pub fn windrow_wind_write_scene(wind: *const c_void, path: *const c_char, duration: f64, tick_hz: f64) -> ResultCode;
     pub fn windrow_scene_step(scene: *mut c_void, diagnostics: *mut Diagnostics) -> ResultCode;
     pub fn windrow_scene_advance(scene: *mut c_void, dt: f64, advance: *mut Advance) -> ResultCode;
     pub fn windrow_scene_time(scene: *const c_void) -> f64;

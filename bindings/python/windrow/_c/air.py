@@ -18,6 +18,7 @@ FRAME_NOW = 0; FRAME_PREVIOUS = 1
 NUMBER_FLOAT = 0; NUMBER_DOUBLE = 1
 TEXEL_HALF = 0; TEXEL_FLOAT = 1
 FIELD_FGA = 0; FIELD_VF = 1; FIELD_RAW = 2; FIELD_NPZ = 3; FIELD_VTI = 4
+DEBUG_BOX = 0; DEBUG_MOTOR = 1; DEBUG_OBSTACLE = 2; DEBUG_ARROW = 3
 
 
 class Vec2(c.Structure):
@@ -239,6 +240,15 @@ class Query(c.Structure):
                 ("number", c.c_int32), ("position_stride", c.c_uint32), ("anchor", DVec3), ("velocities", P(c.c_float)),
                 ("velocity_stride", c.c_uint32), ("reserved", c.c_uint32), ("sampling", P(Sampling))]
 
+
+class DebugLine(c.Structure):
+    _fields_ = [("begin", DVec3), ("end", DVec3), ("kind", c.c_int32), ("speed", c.c_float)]
+
+
+class DebugView(c.Structure):
+    _fields_ = [("struct_size", c.c_uint32), ("box", c.c_int32), ("motors", c.c_int32), ("obstacles", c.c_int32),
+                ("arrows", c.c_int32), ("seconds", c.c_float), ("height", c.c_double)]
+
 Logger = c.CFUNCTYPE(None, c.c_int32, c.c_char_p, c.c_void_p)
 
 Allocate = c.CFUNCTYPE(c.c_void_p, c.c_size_t, c.c_size_t, c.c_void_p)
@@ -246,6 +256,8 @@ Allocate = c.CFUNCTYPE(c.c_void_p, c.c_size_t, c.c_size_t, c.c_void_p)
 Release = c.CFUNCTYPE(None, c.c_void_p, c.c_size_t, c.c_size_t, c.c_void_p)
 
 VelocityAt = c.CFUNCTYPE(None, c.c_void_p, P(DVec3), P(Vec3))
+
+DebugDraw = c.CFUNCTYPE(None, c.c_void_p, P(DebugLine))
 
 
 # Each function with the types of its result and of its arguments.
@@ -282,6 +294,8 @@ AIR = [
     ("windrow_sampling_validate", c.c_int32, P(Sampling)),
     ("windrow_gust_tile_bake", c.c_int32, c.c_uint32, P(c.c_void_p)),
     ("windrow_gust_tile_destroy", None, c.c_void_p),
+    ("windrow_gust_tile_save", c.c_int32, c.c_void_p, P(c.c_void_p)),
+    ("windrow_gust_tile_load", c.c_int32, c.c_void_p, c.c_uint64, P(c.c_void_p)),
     ("windrow_gust_tile_texels", P(Vec4), c.c_void_p, P(c.c_uint64)),
     ("windrow_ambient_settings_init", c.c_int32, P(AmbientSettings), c.c_uint32),
     ("windrow_ambient_wind_create", c.c_int32, P(AmbientSettings), P(c.c_void_p)),
@@ -340,6 +354,8 @@ AIR = [
     ("windrow_wind_write_field", c.c_int32, c.c_void_p, c.c_char_p, c.c_int32, c.c_double),
     ("windrow_to_half", c.c_uint16, c.c_float),
     ("windrow_from_half", c.c_float, c.c_uint16),
+    ("windrow_debug_view_init", c.c_int32, P(DebugView), c.c_uint32),
+    ("windrow_wind_debug_lines", c.c_int32, c.c_void_p, P(DebugView), DebugDraw, c.c_void_p),
     ("windrow_wind_window_block", c.c_int32, c.c_void_p, DVec3, P(WindowBlock)),
     ("windrow_wind_frame_block", c.c_int32, c.c_void_p, DVec3, P(Sampling), P(FrameBlock)),
     ("windrow_event_log_create", c.c_int32, P(c.c_void_p)),
