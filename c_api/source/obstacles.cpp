@@ -61,6 +61,20 @@ WINDROW_EXPORT windrow_result windrow_mesh_create(const windrow_vec3* vertices, 
 WINDROW_EXPORT void windrow_mesh_destroy(windrow_mesh* mesh) {
     delete mesh;
 }
+WINDROW_EXPORT windrow_result windrow_mesh_save(const windrow_mesh* mesh, windrow_bytes** bytes) {
+    if (mesh == nullptr)
+        return fail_null("mesh");
+    return create(bytes, [&] { return mesh->mesh->save(); });
+}
+WINDROW_EXPORT windrow_result windrow_mesh_load(const void* bytes, uint64_t size, windrow_mesh** mesh) {
+    if (mesh != nullptr)
+        *mesh = nullptr;
+    return call({{bytes, "bytes"}}, [&] {
+        return create(mesh, [&] {
+            return TriangleMesh::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
+        });
+    });
+}
 WINDROW_EXPORT float windrow_mesh_distance(const windrow_mesh* mesh, windrow_vec3 point) {
     return value_of(mesh, "mesh", [&] { return mesh->mesh->distance_to(to_cpp(point)); });
 }

@@ -106,9 +106,14 @@ class Thickness {
 
 } // namespace
 
+TriangleMesh::TriangleMesh() = default;
+
+std::uint64_t TriangleMesh::hash_of(const MeshData& data) {
+    return detail::content_hash(data.vertices) * 31 + detail::content_hash(data.triangles);
+}
+
 TriangleMesh::TriangleMesh(MeshData data)
-    : data_(std::move(data)), hash_(detail::content_hash(data_.vertices) * 31 + detail::content_hash(data_.triangles)),
-      low_(data_.vertices.front()), high_(low_) {
+    : data_(std::move(data)), hash_(hash_of(data_)), low_(data_.vertices.front()), high_(low_) {
     for (const glm::vec3& place : data_.vertices) {
         low_ = glm::min(low_, place);
         high_ = glm::max(high_, place);

@@ -102,6 +102,16 @@ glm::ivec3 MeshSigns::cell_of(glm::vec3 point) const {
     return glm::clamp(glm::ivec3((point - low_) / width_), glm::ivec3(0), count_ - 1);
 }
 
+bool MeshSigns::is_sound() const {
+    constexpr int k_most_count = static_cast<int>(k_most_cells) + 2;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(low_[axis]) || !std::isfinite(high_[axis]) || count_[axis] < 1 || count_[axis] > k_most_count ||
+            !((high_[axis] - low_[axis]) / width_ < 1e6f))
+            return false;
+    return width_ > 0.0f && cells_.size() == static_cast<std::size_t>(count_.x) * count_.y * count_.z &&
+           std::all_of(cells_.begin(), cells_.end(), [](Sign sign) { return sign <= Sign::inside; });
+}
+
 bool MeshSigns::inside(glm::vec3 point, const MeshTree& tree) const {
     if (!(glm::all(glm::lessThanEqual(low_, point)) && glm::all(glm::lessThanEqual(point, high_))))
         return false;

@@ -15,6 +15,18 @@ class MeshSigns {
     /// Of what bounds a body (surface_of_union), and all of its triangles.
     MeshSigns(const MeshData& surface, const MeshTree& tree, glm::vec3 low, glm::vec3 high);
 
+    MeshSigns() = default; ///< empty, for `pass`
+    /// As MeshTree's.
+    static void pass(auto& archive, auto& signs) {
+        archive.value(signs.low_);
+        archive.value(signs.high_);
+        archive.value(signs.width_);
+        archive.value(signs.count_);
+        archive.list(signs.cells_);
+    }
+    /// Whether each point of the box has a cell.
+    [[nodiscard]] bool is_sound() const;
+
     /// Whether a point is inside.
     [[nodiscard]] bool inside(glm::vec3 point, const MeshTree& tree) const;
 
@@ -31,9 +43,9 @@ class MeshSigns {
     [[nodiscard]] glm::ivec3 place_of(std::size_t cell) const;
     [[nodiscard]] glm::ivec3 cell_of(glm::vec3 point) const;
 
-    glm::vec3 low_, high_;
-    float width_; ///< [m] of a cell
-    glm::ivec3 count_;
+    glm::vec3 low_{0.0f}, high_{0.0f};
+    float width_ = 0.0f; ///< [m] of a cell
+    glm::ivec3 count_{0};
     std::vector<Sign> cells_;
 };
 

@@ -146,6 +146,24 @@ void MeshTree::build(std::size_t at, std::span<std::uint32_t> members, const Mes
     build(node.first + 1, members.subspan(half), data, middles);
 }
 
+bool MeshTree::is_sound(std::size_t count) const {
+    std::vector<std::uint8_t> depth(nodes_.size(), 0);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const Node& node = nodes_[n];
+        if (node.count > 0) {
+            if (node.first > triangles_.size() || node.count > triangles_.size() - node.first)
+                return false;
+            continue;
+        }
+        // A child is behind its parent, so that no walk returns.
+        if (node.first <= n || node.first >= nodes_.size() - 1 || depth[n] + 2 >= k_depth)
+            return false;
+        depth[node.first] = depth[node.first + 1] = static_cast<std::uint8_t>(depth[n] + 1);
+    }
+    return !nodes_.empty() &&
+           std::all_of(triangles_.begin(), triangles_.end(), [&](const Triangle& triangle) { return triangle.number < count; });
+}
+
 template <class Enter, class Visit>
 std::size_t MeshTree::walk(const Enter& enter, const Visit& visit) const {
     std::uint32_t open[k_depth];

@@ -22,6 +22,14 @@ class MeshTree {
   public:
     /// Throws std::bad_alloc. The data is closed and has triangles.
     explicit MeshTree(const MeshData& data);
+    MeshTree() = default; ///< empty, for `pass`
+    /// Into an archive of mesh_bytes.cpp, or out of one.
+    static void pass(auto& archive, auto& tree) {
+        archive.list(tree.nodes_);
+        archive.list(tree.triangles_);
+    }
+    /// Whether no node leads out of the lists or deeper than a walk goes, and each triangle's number is below `count`.
+    [[nodiscard]] bool is_sound(std::size_t count) const;
 
     /// [m] To the nearest triangle, or `most` where none is nearer.
     [[nodiscard]] float distance(glm::vec3 point, float most) const;
@@ -72,6 +80,9 @@ class MeshTree {
 
 /// Those of a mesh.
 struct MeshEdges {
+    /// As MeshTree's.
+    static void pass(auto& archive, auto& edges);
+
     std::vector<MeshEdge> edges{};
     std::unique_ptr<const MeshTree> tree{}; ///< of the edges, as triangles; none where there are none
 };

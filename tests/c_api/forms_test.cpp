@@ -1,5 +1,7 @@
-// Gust tiles as bytes, and lines of a debug view, in C: what comes back has the bits of what went, and damage is found.
-#include <algorithm>
+// Forms as bytes, and lines of a debug view, in C: what comes back has the bits of what went, and damage is found.
+#include "tests/shapes.h"
+
+#include <array>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <map>
@@ -12,6 +14,7 @@
 namespace {
 
 struct EndForm {
+    void operator()(windrow_mesh* mesh) const { windrow_mesh_destroy(mesh); }
     void operator()(windrow_gust_tile* tile) const { windrow_gust_tile_destroy(tile); }
     void operator()(windrow_wind* wind) const { windrow_wind_destroy(wind); }
 };
@@ -22,6 +25,90 @@ std::string taken(windrow_bytes* bytes) {
     std::string copy(reinterpret_cast<const char*>(windrow_bytes_data(bytes)), windrow_bytes_size(bytes));
     windrow_bytes_destroy(bytes);
     return copy;
+}
+
+/// Two balls that meet: a union with a surface of its own.
+windrow::MeshData twins() {
+    return windrow::test::both(
+        windrow::test::ball_mesh(1.0f, 3),
+        windrow::test::placed(windrow::test::ball_mesh(1.0f, 3), [](glm::vec3 v) { return v + glm::vec3(1.2f, 0.1f, 0.0f); }));
+}
+
+std::vector<float> distances(const windrow_mesh* mesh) {
+    std::vector<float> found;
+    for (int n = 0; n < 4000; ++n)
+        found.push_back(windrow_mesh_distance(mesh, {-2.0f + 0.3f * static_cast<float>(n % 17),
+                                                     -1.5f + 0.21f * static_cast<float>(n / 17 % 15),
+                                                     -1.5f + 0.2f * static_cast<float>(n / 255)}));
+    return found;
+}
+
+TEST(FormsInC, AMeshComesBackWithItsBits) {
+    const windrow::MeshData data = twins();
+    windrow_mesh* made = nullptr;
+    ASSERT_EQ(windrow_mesh_create(reinterpret_cast<const windrow_vec3*>(data.vertices.data()), data.vertices.size(),
+                                  reinterpret_cast<const std::uint32_t*>(data.triangles.data()), data.triangles.size(), &made),
+              WINDROW_OK)
+        << windrow_last_error();
+    const Held<windrow_mesh> mesh(made);
+    windrow_bytes* bytes = nullptr;
+    ASSERT_EQ(windrow_mesh_save(mesh.get(), &bytes), WINDROW_OK);
+    const std::string saved = taken(bytes);
+    windrow_mesh* back = nullptr;
+    ASSERT_EQ(windrow_mesh_load(saved.data(), saved.size(), &back), WINDROW_OK) << windrow_last_error();
+    const Held<windrow_mesh> loaded(back);
+    const auto before = distances(mesh.get()), after = distances(loaded.get());
+    EXPECT_EQ(std::memcmp(before.data(), after.data(), before.size() * sizeof(float)), 0);
+    ASSERT_EQ(windrow_mesh_save(loaded.get(), &bytes), WINDROW_OK);
+    EXPECT_EQ(taken(bytes), saved);
+
+    // Air about either has the same bits.
+    std::array<std::vector<windrow_vec4>, 2> fields;
+    for (std::size_t n = 0; n < 2; ++n) {
+        windrow_config config;
+        ASSERT_EQ(windrow_config_init(&config, sizeof config), WINDROW_OK);
+        config.cells = {20, 12, 12};
+        config.cell_size = 0.4f;
+        config.ambient = {5.0f, 0.0f, 1.0f};
+        windrow_wind* wind = nullptr;
+        ASSERT_EQ(windrow_wind_create(&config, &wind), WINDROW_OK);
+        const Held<windrow_wind> held(wind);
+        windrow_obstacle obstacle;
+        ASSERT_EQ(windrow_obstacle_init(&obstacle, sizeof obstacle), WINDROW_OK);
+        obstacle.shape = windrow_shape_mesh(n == 0 ? mesh.get() : loaded.get(), 1.0f);
+        windrow_obstacle_id id{};
+        ASSERT_EQ(windrow_wind_add_obstacle(wind, &obstacle, &id), WINDROW_OK) << windrow_last_error();
+        for (int step = 0; step < 5; ++step)
+            ASSERT_EQ(windrow_wind_step(wind, 1.0 / 60.0, nullptr), WINDROW_OK);
+        const windrow_vec4* cells = nullptr;
+        std::uint64_t count = 0;
+        ASSERT_EQ(windrow_wind_field(wind, WINDROW_FRAME_NOW, &cells, &count, nullptr), WINDROW_OK);
+        fields[n].assign(cells, cells + count);
+    }
+    EXPECT_EQ(std::memcmp(fields[0].data(), fields[1].data(), fields[0].size() * sizeof(windrow_vec4)), 0);
+}
+
+TEST(FormsInC, DamagedMeshesAreRejected) {
+    const auto made = windrow::TriangleMesh::create(windrow::test::box_mesh(glm::vec3(1.0f)));
+    ASSERT_TRUE(made);
+    const auto saved = (*made)->save();
+    ASSERT_TRUE(saved);
+    windrow_mesh* mesh = nullptr;
+    const auto rejected = [&](const std::vector<std::byte>& bytes, const char* words) {
+        EXPECT_EQ(windrow_mesh_load(bytes.data(), bytes.size(), &mesh), WINDROW_REJECTED);
+        EXPECT_EQ(mesh, nullptr);
+        EXPECT_NE(std::string_view(windrow_last_error()).find(words), std::string_view::npos) << windrow_last_error();
+    };
+    for (std::size_t n = 0; n < saved->size(); n += 7) { // each byte is under the checksum, or is its own reason
+        auto bytes = *saved;
+        bytes[n] ^= std::byte{4};
+        EXPECT_EQ(windrow_mesh_load(bytes.data(), bytes.size(), &mesh), WINDROW_REJECTED) << n;
+    }
+    auto bytes = *saved;
+    bytes.pop_back();
+    rejected(bytes, "truncated");
+    rejected({}, "are not a Windrow made mesh");
+    EXPECT_EQ(windrow_mesh_load(nullptr, 0, &mesh), WINDROW_REJECTED);
 }
 
 TEST(FormsInC, AGustTileComesBackWithItsBits) {

@@ -52,6 +52,17 @@ class TriangleMesh(Shared):
             corners.ctypes.data_as(ctypes.POINTER(_c.Vec3)), len(corners), numbers.ctypes.data_as(ctypes.POINTER(ctypes.c_uint32)),
             len(numbers), out), "windrow_mesh_destroy")
 
+    def save(self) -> bytes:
+        """All that the constructor finds; `load` makes the mesh again in a fraction of the time, with the same bits."""
+        return taken_bytes(lambda out: library.windrow_mesh_save(self._handle.pointer, out))
+
+    @classmethod
+    def load(cls, saved: bytes) -> TriangleMesh:
+        """A mesh from what `save` returned. Damaged bytes and those of another version are rejected."""
+        kept, mesh = data("saved", saved), cls.__new__(cls)
+        mesh._handle = Handle(lambda out: library.windrow_mesh_load(kept, len(kept), out), "windrow_mesh_destroy")
+        return mesh
+
     def distance(self, point: Vec3) -> float:
         """[m] From a point to its surface, negative inside."""
         return float(library.windrow_mesh_distance(self._handle.pointer, _numbers("point", point, _c.Vec3)))

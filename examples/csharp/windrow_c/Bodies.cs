@@ -293,6 +293,10 @@ namespace Windrow
         [DllImport(Native.Library)]
         public static extern void windrow_mesh_destroy(IntPtr mesh);
         [DllImport(Native.Library)]
+        public static extern Result windrow_mesh_save(IntPtr mesh, IntPtr bytes);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_mesh_load(IntPtr bytes, ulong size, IntPtr mesh);
+        [DllImport(Native.Library)]
         public static extern float windrow_mesh_distance(IntPtr mesh, Vec3 point);
         [DllImport(Native.Library)]
         public static extern Result windrow_voxels_create(IVec3 cells, IntPtr closed, ulong count, IntPtr voxels);

@@ -203,6 +203,8 @@ extern "C" {
         vertices: *const Vec3, vertex_count: u64, indices: *const u32, triangle_count: u64, mesh: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_mesh_destroy(mesh: *mut c_void);
+    pub fn windrow_mesh_save(mesh: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_mesh_load(bytes: *const c_void, size: u64, mesh: *mut *mut c_void) -> ResultCode;
     pub fn windrow_mesh_distance(mesh: *const c_void, point: Vec3) -> f32;
     pub fn windrow_voxels_create(cells: IVec3, closed: *const u8, count: u64, voxels: *mut *mut c_void) -> ResultCode;
     pub fn windrow_voxels_destroy(voxels: *mut c_void);

@@ -149,6 +149,8 @@ BODIES = [
     ("windrow_wind_motor_count", c.c_int32, c.c_void_p),
     ("windrow_mesh_create", c.c_int32, P(Vec3), c.c_uint64, P(c.c_uint32), c.c_uint64, P(c.c_void_p)),
     ("windrow_mesh_destroy", None, c.c_void_p),
+    ("windrow_mesh_save", c.c_int32, c.c_void_p, P(c.c_void_p)),
+    ("windrow_mesh_load", c.c_int32, c.c_void_p, c.c_uint64, P(c.c_void_p)),
     ("windrow_mesh_distance", c.c_float, c.c_void_p, Vec3),
     ("windrow_voxels_create", c.c_int32, IVec3, P(c.c_uint8), c.c_uint64, P(c.c_void_p)),
     ("windrow_voxels_destroy", None, c.c_void_p),
