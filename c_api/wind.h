@@ -272,14 +272,14 @@ typedef struct windrow_debug_view {
     uint32_t struct_size;
     int32_t box;       /* 1 (default): draws the box of air */
     int32_t motors;    /* 1 (default): draws where each motor acts, and its direction */
-    int32_t obstacles; /* 1 (default): draws forms; a mesh or a voxel grid as the box that holds it, a ground as its edge */
-    int32_t arrows;    /* along each level axis, 0 (none) to 256, default 16: a view still shows 256 arrows apart */
+    int32_t obstacles; /* 1 (default): draws forms; a mesh or a voxel grid as the box that holds it, no ground */
+    int32_t arrows;    /* along the longer level axis, 0 (none) to 256, default 16: a view still shows 256 arrows apart */
     float seconds;     /* [s] above 0, at most 1e6, default 0.2: an arrow is as long as the way of the air in this time */
     double height;     /* [m] -1e6 to 1e6, default 1: of the arrows above the box's low face, where players are */
 } windrow_debug_view;
 WINDROW_C_API windrow_result windrow_debug_view_init(windrow_debug_view* view, uint32_t struct_size);
 /* Calls `draw` for each line of the box, the motors, the obstacles and the arrows, in an order that does not change. `view` may be null:
-   the defaults. Arrows on a device need a read-back. A host that does not call it pays nothing. */
+   the defaults. Arrows on a device are the ambient wind's before its first read-back. A host that does not call it pays nothing. */
 WINDROW_C_API windrow_result windrow_wind_debug_lines(const windrow_wind* wind, const windrow_debug_view* view,
                                                       windrow_debug_draw draw, void* user);
 

@@ -3,7 +3,6 @@
 
 #include "c_api/source/convert.h"
 #include "c_api/source/handles.h"
-#include "fluid/debug_lines.h"
 
 namespace windrow::c_api {
 
@@ -52,6 +51,12 @@ struct QueryDefaults {
     windrow_number number = WINDROW_NUMBER_DOUBLE;
 };
 WINDROW_C_STRUCT(windrow_query, QueryDefaults, number);
+struct DebugView {
+    bool box = true, motors = true, obstacles = true;
+    int arrows = 16;
+    float seconds = 0.2f;
+    double height = 1.0;
+};
 WINDROW_C_STRUCT(windrow_debug_view, DebugView, box, motors, obstacles, arrows, seconds, height);
 WINDROW_C_STRUCT_BUT(1, windrow_box, Box, cells, cell_size, boundaries);
 WINDROW_C_STRUCT(windrow_drag_force, DragForce, force, in_box);

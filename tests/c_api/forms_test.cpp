@@ -166,8 +166,8 @@ TEST(DebugLinesInC, DrawTheBoxMotorsObstaclesAndArrows) {
     ASSERT_EQ(windrow_wind_debug_lines(wind.get(), &view, keep, &lines), WINDROW_OK) << windrow_last_error();
     ASSERT_EQ(lines[WINDROW_DEBUG_BOX].size(), 12u);
     ASSERT_EQ(lines[WINDROW_DEBUG_OBSTACLE].size(), 12u);
-    EXPECT_EQ(lines[WINDROW_DEBUG_MOTOR].size(), 16u + 16u + 4u + 3u);
-    ASSERT_EQ(lines[WINDROW_DEBUG_ARROW].size(), 4u * 4u * 3u);
+    EXPECT_EQ(lines[WINDROW_DEBUG_MOTOR].size(), 24u + 24u + 4u + 3u);
+    ASSERT_EQ(lines[WINDROW_DEBUG_ARROW].size(), 4u * 2u * 3u);
     windrow_dvec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
     for (const windrow_debug_line& line : lines[WINDROW_DEBUG_OBSTACLE])
         for (const windrow_dvec3& end : {line.begin, line.end}) {
@@ -197,7 +197,7 @@ TEST(DebugLinesInC, DrawTheBoxMotorsObstaclesAndArrows) {
     EXPECT_TRUE(lines.empty());
     view.arrows = 257;
     EXPECT_EQ(windrow_wind_debug_lines(wind.get(), &view, keep, &lines), WINDROW_REJECTED);
-    EXPECT_STREQ(windrow_last_error(), "arrows is 257: give 0 to 256 along an axis.");
+    EXPECT_STREQ(windrow_last_error(), "arrows is 257: give 0 to 256 along the longer level axis.");
     EXPECT_EQ(windrow_wind_debug_lines(wind.get(), nullptr, nullptr, nullptr), WINDROW_REJECTED);
 }
 

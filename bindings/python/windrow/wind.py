@@ -533,7 +533,7 @@ class Wind:
                     height: float = 1.0) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], npt.NDArray[np.float32]]:
         """Lines of a debug view: ends [m] of shape (n, 2, 3), what each belongs to, and the speed [m/s] of the wind at an arrow's foot.
 
-        0 is the box, 1 a motor, 2 an obstacle, 3 an arrow. `arrows` along each level axis, 0 (none) to 256; `seconds`: an arrow is as
+        0 is the box, 1 a motor, 2 an obstacle, 3 an arrow. `arrows` along the longer level axis, 0 (none) to 256; `seconds`: an arrow is as
         long as the way of the air in this time, above 0; `height` [m] of the arrows above the box's low face.
         """
         wanted = _c.DebugView()
