@@ -107,7 +107,7 @@ TEST(FormsInC, DamagedMeshesAreRejected) {
     auto bytes = *saved;
     bytes.pop_back();
     rejected(bytes, "truncated");
-    rejected({}, "are not a Windrow made mesh");
+    rejected({std::byte{1}}, "are not a Windrow made mesh");
     EXPECT_EQ(windrow_mesh_load(nullptr, 0, &mesh), WINDROW_REJECTED);
 }
 
