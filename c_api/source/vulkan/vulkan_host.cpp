@@ -26,7 +26,7 @@ struct Fields<windrow_vulkan_device_facts> {
     static constexpr const char* k_name = "windrow_vulkan_device_facts";
     static constexpr auto list() { return std::tuple{}; }
 };
-WINDROW_C_STRUCT_BUT(4, windrow_vulkan_device_settings, vulkan::OwnDevice::Settings, device, validation, gpu_validation, queue,
+WINDROW_C_STRUCT_BUT(5, windrow_vulkan_device_settings, vulkan::OwnDevice::Settings, device, validation, gpu_validation, queue,
                      queue_without, compute_queue, get_instance_proc_addr);
 
 void read_rest(Reasons& reasons, const Path& path, const windrow_vulkan_device_settings& from, vulkan::OwnDevice::Settings& to) {

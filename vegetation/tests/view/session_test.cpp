@@ -198,6 +198,22 @@ TEST_F(SessionTest, DrawsFramesOfAnySizeAndViewWhileItPlays) {
     EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 60);
 }
 
+// Hills are drawn as ground: as a body they have no triangle.
+TEST_F(SessionTest, DrawsHillsThatAreAnObstacle) {
+    write("hill.pgm", "P5 4 4 255\n" + std::string(16, '\x40'));
+    std::string scene = k_scene;
+    const std::string block = R"("shape": {"block": {"half_size": [1, 1, 1]}})";
+    scene.replace(scene.find(block), block.size(), R"("shape": {"ground": {"file": "hill.pgm", "scale": [8, 2, 8]}})");
+    write("hills.json", scene);
+    open("hills.json");
+    play_steps(2);
+    const auto begun = session_->player().frames().begin();
+    ASSERT_TRUE(begun);
+    ASSERT_TRUE(session_->record(*begun, program::camera_at(session_->scene(), 0.0), true));
+    ASSERT_TRUE(session_->player().frames().submit(*begun));
+    ASSERT_TRUE(session_->player().frames().wait());
+}
+
 TEST_F(SessionTest, ChangesItsSizeFiftyTimesWithoutALeak) {
     std::uint64_t first = 0;
     for (int n = 0; n < 50; ++n) {
