@@ -149,11 +149,11 @@ TEST_F(WindReads, AreTheReportAloneByDefault) {
     auto cells = Wind::create(sharing_host(), config, {.queries = ReadBack::cells}), none = Wind::create(sharing_host(), config);
     ASSERT_TRUE(cells && none);
     EXPECT_GE(cells->memory_bytes(), none->memory_bytes() + 3 * 16 * 4096);
-    EXPECT_EQ(Air::slot_bytes({}), 48u);
-    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::cells, .cells = {16, 16, 16}}), 48u + 16 * 4096);
-    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::halves, .cells = {16, 16, 16}}), 48u + 8 * 4096);
-    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::box, .cells = {8, 8, 8}}), 48u + 16 * 512);
-    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::points, .points = 64}), 48u + 16 * 64);
+    EXPECT_EQ(Air::slot_bytes({}), 64u);
+    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::cells, .cells = {16, 16, 16}}), 64u + 16 * 4096);
+    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::halves, .cells = {16, 16, 16}}), 64u + 8 * 4096);
+    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::box, .cells = {8, 8, 8}}), 64u + 16 * 512);
+    EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::points, .points = 64}), 64u + 16 * 64);
     Diagnostics diagnostics;
     for (int n = 0; n < 5; ++n) {
         run([&](VkCommandBuffer commands) { diagnostics = held(none->record_step(commands, {.dt = 1.0 / 30.0})); });

@@ -69,7 +69,8 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
 }
 
 TEST_F(Command, WrongFlagsAreNamed) {
-    expect_rejection({}, "name a command, run, bench, verify, pareto, plants, check, device-report or info: see windrow --help.");
+    expect_rejection(
+        {}, "name a command, run, view, bench, verify, pareto, plants, check, device-report or info: see windrow --help.");
     expect_rejection({"runn", "x"}, "unknown command runn (did you mean run?): see windrow --help.");
     expect_rejection(
         {"draw", "x.json", "--out", "y"},

@@ -54,8 +54,8 @@ VkExtent2D sky_extent(const RenderSettings& settings) {
 VkSampleCountFlagBits samples_of(const engine::Device& device, const RenderSettings& settings) {
     const auto samples = static_cast<VkSampleCountFlagBits>(settings.samples); // a bit of its own value
     if (!draws_with(device, samples))
-        throw engine::Failure(windrow::detail::message("settings.samples is ", settings.samples, ", which ", device.name(),
-                                                       " cannot draw with: give 1 or 4."));
+        throw engine::Failure(windrow::detail::message("settings.samples (--samples of windrow-draw) is ", settings.samples,
+                                                       ", which ", device.name(), " cannot draw with: give 1 or 4."));
     return samples;
 }
 
