@@ -2,6 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "fluid/obstacle_force.h"
+#include "fluid/portable_math.h"
 #include "fluid/textures.h"
 
 #include <algorithm>
@@ -41,8 +42,9 @@ class Pen {
     void circle(glm::dvec3 middle, glm::dvec3 across, glm::dvec3 up, double radius) const {
         glm::dvec3 before = middle + radius * across;
         for (int n = 1; n <= k_round; ++n) {
-            const double angle = 2.0 * std::numbers::pi * n / k_round;
-            const glm::dvec3 next = middle + radius * (std::cos(angle) * across + std::sin(angle) * up);
+            const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(n) / k_round;
+            const glm::dvec3 next = middle + radius * (static_cast<double>(numerics::cos(angle)) * across +
+                                                       static_cast<double>(numerics::sin(angle)) * up);
             line(before, next);
             before = next;
         }
