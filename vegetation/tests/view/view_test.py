@@ -217,9 +217,21 @@ def main():
         nowhere = subprocess.run([asked.windrow, "view", str(scene)], env={key: value for key, value in os.environ.items() if key != "DISPLAY"},
                                  check=False, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         assert nowhere.returncode == 3 and "needs a display" in nowhere.stdout and nowhere.stdout.count("\n") == 1, nowhere.stdout
+        for tries_left in (1, 0):
+            hand = Hand(asked.windrow, asked.pictures)
+            try:
+                work(hand, asked.windrow, folder, scene)
+                break
+            except AssertionError as fault:  # a machine that stalls for half a second misses a click: what is wrong fails twice
+                if not tries_left:
+                    raise
+                print("once more, since:", fault)
+                shutil.rmtree(folder / "run", ignore_errors=True)
+                shutil.rmtree(folder / "run_before", ignore_errors=True)
+            finally:
+                hand.end()
         hand = Hand(asked.windrow, asked.pictures)
         try:
-            work(hand, asked.windrow, folder, scene)
             if asked.long:
                 hand.open(scene, "--validation")
                 for n in range(50):
