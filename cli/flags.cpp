@@ -92,6 +92,14 @@ void Flags::folder(const std::string& name, std::optional<std::filesystem::path>
     });
 }
 
+void Flags::scene(std::filesystem::path& file) {
+    value("SCENE.json", "", "Scene file; its keys are in docs/scenes.md", [&file](const std::string& text) {
+        if (text.empty())
+            reject("SCENE.json is empty: name a scene file.");
+        file = text;
+    })->required();
+}
+
 void Flags::backend(BackendRequest& backend) {
     using cases::BackendKind;
     value("--backend", "B", "What runs the air: cpu, the default, or vulkan", [&backend](const std::string& text) {

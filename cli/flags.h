@@ -48,6 +48,8 @@ class Flags {
     void threads(int& threads, const std::string& help = "Threads; default one a core");
     void simd(Simd& simd, const std::string& help);
     void seconds(double& seconds, const std::string& help);
+    /// SCENE.json, which is required.
+    void scene(std::filesystem::path& file);
     void file(const std::string& name, std::optional<std::filesystem::path>& file, const std::string& help);
     void folder(const std::string& name, std::optional<std::filesystem::path>& folder, const std::string& help);
     /// --backend and --device; what goes with what is checked by check_backend.

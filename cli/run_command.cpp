@@ -137,14 +137,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     CLI::App* const run = app.add_subcommand("run", "Play a scene; keep pictures, VDB files and timings of it");
     const auto request = std::make_shared<RunRequest>();
     Flags flags(*run);
-    flags
-        .value("SCENE.json", "", "Scene file; its keys are in docs/scenes.md",
-               [request](const std::string& text) {
-                   if (text.empty())
-                       reject("SCENE.json is empty: name a scene file.");
-                   request->scene = text;
-               })
-        ->required();
+    flags.scene(request->scene);
     add_film(flags, request->film);
     flags.folder("--out", request->out, "Folder for what is kept; default out/<scene name>");
     flags.threads(request->threads, "Threads; default one a core; results do not depend on it");

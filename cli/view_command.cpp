@@ -54,14 +54,7 @@ void add_view(CLI::App& app, std::function<int()>& chosen, const Console& consol
 #if WINDROW_WITH_VIEW
     const auto request = std::make_shared<shown::ViewRequest>();
     Flags flags(*view);
-    flags
-        .value("SCENE.json", "", "Scene file; its keys are in docs/scenes.md",
-               [request](const std::string& text) {
-                   if (text.empty())
-                       reject("SCENE.json is empty: name a scene file.");
-                   request->scene = text;
-               })
-        ->required();
+    flags.scene(request->scene);
     flags.value("--size", "WIDTHxHEIGHT", "Of the window in pixels; default 1280x720",
                 [request](const std::string& text) { request->size = read_window_size(text); });
     flags.value("--look", "NAME", "full or draft; default full on a GPU, draft on a software device",
