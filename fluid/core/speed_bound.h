@@ -10,9 +10,9 @@
 //
 //   Sub-steps while obstacles move (`substeps`). Each sub-step has its own place of them, so that their number must be known before
 //   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago. With at most
-//   four ticks in the frames in flight a device has read it back by then, and so both take the same number; else it goes on from an
-//   older speed and may take more. A report holds the speeds of the four ticks before its last one too. While none moves, a backend counts the
-//   speed that it finds.
+//   four ticks in the frames in flight a device has read it back by then, and so both take the same number; else it goes on from
+//   an older speed and may take more. A report holds the speeds of the four ticks before its last one too. While none moves, a
+//   backend counts the speed that it finds.
 //
 //   Recording (`after`). A device chooses the number itself where none moves, but its host must record enough of them. The device
 //   reports two speeds, frames late: the largest component of u, and of its difference from the ambient wind A; the smaller of

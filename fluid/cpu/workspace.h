@@ -45,8 +45,8 @@ struct WINDROW_HIDDEN Workspace::State {
     const float* ambient_cells = nullptr;
     /// The prescribed background wind, within a step in gusts; the advection sets its `legal`.
     cpu::PrescribedWind prescribed{};
-    /// [m/s] Within a step: largest component of the velocity that it begins with, one for all its sub-steps and the rehearsal of the first, as
-    /// on a device. Else an advection looks for that of its own.
+    /// [m/s] Within a step: largest component of the velocity that it begins with, one for all its sub-steps and for the
+    /// rehearsal of the first, as on a device. Else an advection looks for that of its own.
     std::optional<float> fastest{};
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;

@@ -11,8 +11,8 @@ namespace windrow {
 struct Solids::View {
     static constexpr float k_far = 3.0f;      ///< [cells] from a surface; beyond it a distance need not be right
     static constexpr double k_parts = 4096.0; ///< of a cell, in which a body's place is rounded
-    /// Of a part, by which a place is rounded up from below its half: places are whole sixteenths (Window::local_rounded) but for the
-    /// rounding of floats, which is another in each box and must not choose.
+    /// Of a part, by which a place is rounded up from below its half: places are whole sixteenths (Window::local_rounded) up to the
+    /// rounding of floats. That differs from box to box, and must not choose.
     static constexpr double k_half = 0.5 + 1.0 / 32.0;
 
     const PlacedObstacle& body;

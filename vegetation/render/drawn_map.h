@@ -17,7 +17,7 @@ class DrawnMap {
     /// Outside of a render pass, with the layout's sets bound.
     void record(VkCommandBuffer commands) const;
     [[nodiscard]] VkImageView view() const { return image_.view; }
-    /// Linear, held at the rim.
+    /// Linear, clamped at the edges.
     [[nodiscard]] VkSampler sampler() const { return sampler_; }
 
   private:

@@ -72,10 +72,10 @@ void NoiseMap::record(VkCommandBuffer commands, glm::vec2 middle) {
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0, nullptr);
     for (const TexelRectangle& part : rest_) {
-        const std::array<glm::ivec2, 2> told{part.first, part.end - part.first};
+        const std::array<glm::ivec2, 2> rectangle{part.first, part.end - part.first};
         const auto groups = [](int texels) { return (static_cast<std::uint32_t>(texels) + k_fill_group - 1) / k_fill_group; };
-        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof told, told.data());
-        vkCmdDispatch(commands, groups(told[1].x), groups(told[1].y), 1);
+        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof rectangle, rectangle.data());
+        vkCmdDispatch(commands, groups(rectangle[1].x), groups(rectangle[1].y), 1);
     }
     turn.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
     turn.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
