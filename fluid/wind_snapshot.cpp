@@ -22,7 +22,7 @@ namespace windrow {
 namespace {
 
 constexpr detail::Format k_format{
-    "WINDSNAP", detail::Layout("state 10").with<Config>().with<Motor>().with<Obstacle>().with<DragDeposit>().version(),
+    "WINDSNAP", detail::Layout("state 11").with<Config>().with<Motor>().with<Obstacle>().with<DragDeposit>().version(),
     "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -60,6 +60,11 @@ using detail::in_range, detail::k_farthest_cells;
 
 namespace {
 
+/// Handle of a body whose load a device holds.
+struct DeviceLoad {
+    std::uint32_t slot = 0, generation = 0;
+};
+
 /// Writer that leaves gaps for what a device holds.
 class DraftWriter {
   public:
@@ -75,6 +80,10 @@ class DraftWriter {
   private:
     void put(const auto& value) { writer_(value); }
     void put(DeviceState state) { leave(state, sizeof(float)); }
+    void put(const DeviceLoad& load) {
+        (*this)(load.slot, load.generation);
+        leave(DeviceState::body_load, ObstacleFields::k_load_bytes - sizeof(load));
+    }
     void leave(DeviceState state, std::size_t bytes) { gaps_.push_back({state, writer_.leave(bytes), bytes}); }
 
     detail::Writer writer_;
@@ -105,8 +114,8 @@ struct DeviceNames {
         std::vector<std::uint32_t> keys;
         std::vector<DeviceState> terms;
         glm::ivec3 shift;
-        std::vector<BodyLoad> loads{}; ///< a device finds no forces
-        float duration = 0.0f;
+        std::vector<DeviceLoad> loads;
+        float duration;
     };
     Surface surface;
     [[nodiscard]] Surface surface_history() const { return surface; }
@@ -235,12 +244,15 @@ struct StateFields {
     }
 
     static void sleep(auto& archive, Like<Sleep> auto& sleep) {
-        auto& [depth, at_rest, drift] = sleep;
+        auto& [depth, at_rest, drift, undisturbed] = sleep;
         bool calm = sleep.calm(), asleep = sleep.asleep();
-        archive(calm, asleep);
+        auto alone = std::min(undisturbed, SpeedBound::k_delay); // the ticks that are saved
+        archive(calm, asleep, alone);
         if constexpr (Reading<decltype(archive)>) {
             archive.require(calm || !asleep, "its air sleeps but is not calm.");
+            archive.require(alone <= SpeedBound::k_delay, "it has more ticks at rest than fit.");
             depth = asleep ? Sleep::Depth::asleep : calm ? Sleep::Depth::calm : Sleep::Depth::awake;
+            undisturbed = alone;
         }
     }
 
@@ -254,12 +266,13 @@ struct StateFields {
             archive.require(count <= SpeedBound::k_delay, "it has more speeds than fit.");
             last = std::min(count, SpeedBound::k_delay);
             for (std::uint64_t tick = 1; tick <= last; ++tick)
-                archive(ticks[tick].rises.expected.added, ticks[tick].rises.expected.least, ticks[tick].measured);
+                archive(ticks[tick].rises.expected.added, ticks[tick].rises.expected.least, ticks[tick].measured,
+                        ticks[tick].still);
         } else {
             for (std::uint64_t tick = last - count + 1; tick <= last; ++tick) {
                 // The first of them stands for all before it.
                 const float measured = tick == last - count + 1 && !known ? bound.expected_after(tick) : bound.at(tick).measured;
-                archive(bound.at(tick).rises.expected.added, bound.at(tick).rises.expected.least, measured);
+                archive(bound.at(tick).rises.expected.added, bound.at(tick).rises.expected.least, measured, bound.at(tick).still);
             }
         }
     }
@@ -359,12 +372,18 @@ SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurfa
     const std::size_t cells = core.box().cell_count();
     DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
     writer(saved_config(core));
+    std::vector<DeviceLoad> loads;
+    if (surface.load_duration > 0.0f)
+        for (const PlacedObstacle& body : surface.placed)
+            loads.push_back({body.slot, body.generation});
     const DeviceNames names{.air = {.fresh = fresh},
                             .surface = {.placed = surface.placed,
                                         .inside_is_air = surface.inside_is_air,
                                         .keys = surface.keys,
                                         .terms = std::vector(surface.keys.size(), DeviceState::surface_term),
-                                        .shift = surface.shift}};
+                                        .shift = surface.shift,
+                                        .loads = std::move(loads),
+                                        .duration = surface.load_duration}};
     StateFields::state(writer, core, names);
     return std::move(writer).finish();
 }

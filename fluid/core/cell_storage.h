@@ -51,10 +51,11 @@ struct CellChange {
     std::span<const glm::vec4> cells{}; ///< good during the call alone
 };
 
-/// [m/s] Largest velocity component after a tick of the core's count; tick 0: none was measured.
+/// What a backend found after a tick of the core's count; tick 0: nothing was measured.
 struct MeasuredSpeed {
     std::uint64_t tick = 0;
-    float largest = 0.0f;
+    float largest = 0.0f; ///< [m/s] velocity component
+    bool still = false;   ///< nothing acted, and all components were within Config::sleep_speed of the ambient wind
 };
 /// Of the last tick, and of those before it that a backend reports together.
 using MeasuredSpeeds = std::array<MeasuredSpeed, 5>;
@@ -90,7 +91,8 @@ struct CellStep {
     bool renews_sources = false;  ///< the volume sources are not those of the last step
     bool has_source_flow = false; ///< the velocity holds a flow of theirs, after this step's change
     bool kept = false;            ///< the air of the tick before is kept
-    bool may_rest = false;        ///< air that is still becomes ambient and sleeps
+    bool may_rest = false;        ///< nothing acts: whether the air is still is measured
+    bool rests = false;           ///< the air becomes ambient after this step and sleeps
 };
 
 /// Memory needs of the next calls.
@@ -109,7 +111,8 @@ class CellStorage {
     /// Applies the boundary conditions; `kinds`: not only wall velocities differ. On an error nothing has changed.
     [[nodiscard]] virtual Result<void> set_boundaries(const Boundaries& boundaries, bool kinds) = 0;
     virtual void apply(const CellChange& change) = 0;
-    /// True where the air has come to rest: it is ambient now, with no past, and the report is that of the ambient air.
+    /// True where the air has come to rest: it is ambient now, with no past, and the report is that of the ambient air. A replay
+    /// on a device does as it was recorded, all else as the step says.
     [[nodiscard]] virtual bool step(const CellStep& step, Diagnostics& report) = 0;
     /// Makes the frame to show, after FrameHistory::show.
     virtual void show(const FrameBlend& blend) = 0;

@@ -16,14 +16,28 @@ struct Sleep {
     Depth depth = Depth::awake;
     Diagnostics at_rest;     ///< what a step reports while asleep
     std::uint64_t drift = 0; ///< how often gusts moved over sleeping air: cells that held them before do not hold those of now
+    std::uint64_t undisturbed = 0; ///< ticks in a row in which nothing acted on the air, the newest one included
 
     [[nodiscard]] bool calm() const { return depth != Depth::awake; }
     [[nodiscard]] bool asleep() const { return depth == Depth::asleep; }
 
     /// Something acts on the air, or its cells were set.
-    void wake() { depth = Depth::awake; }
+    void wake() {
+        depth = Depth::awake;
+        undisturbed = 0;
+    }
     /// The ambient wind has changed: the next step runs.
-    void stir() { depth = calm() ? Depth::calm : Depth::awake; }
+    void stir() {
+        depth = calm() ? Depth::calm : Depth::awake;
+        undisturbed = 0;
+    }
+    /// The box moved where the ambient wind depends on its place: the next step runs. What was still there is taken for still here.
+    void turn_over() { depth = calm() ? Depth::calm : Depth::awake; }
+    /// A tick is stepped.
+    void begin_tick(bool acted_on) {
+        depth = Depth::awake;
+        undisturbed = acted_on ? 0 : undisturbed + 1;
+    }
     /// The cells became ambient, with no past.
     void fill() { depth = asleep() ? Depth::asleep : Depth::calm; }
     /// A step came to rest with this report, which becomes that of a sleeper.

@@ -27,7 +27,8 @@ enum class DeviceState : std::uint8_t {
     // floats [s]
     dt_old,
     undiffused_time,
-    surface_term ///< [m/s] of the pressure's history at one closed face of an obstacle; all in order
+    surface_term, ///< [m/s] of the pressure's history at one closed face of an obstacle; all in order
+    body_load     ///< BodyLoad behind its handle, of one obstacle; all in order
 };
 
 /// Snapshot with gaps.
@@ -46,7 +47,8 @@ struct DeviceSurface {
     std::vector<PlacedObstacle> placed{};
     bool inside_is_air = false;
     std::vector<std::uint32_t> keys{};
-    glm::ivec3 shift{0}; ///< cells by which the box has moved since they were placed
+    glm::ivec3 shift{0};        ///< cells by which the box has moved since they were placed
+    float load_duration = 0.0f; ///< [s] of the step whose forces on all of `placed` the device holds; 0: it finds none
 };
 
 /// The state of the host now. `fresh`: the cells have no past. The frame before the one shown is written as that one: a device

@@ -154,9 +154,11 @@ void SpeedBound::note(const MeasuredSpeeds& speeds) {
     for (const MeasuredSpeed& speed : speeds) {
         if (speed.tick == 0 || speed.tick > last_ || last_ - speed.tick >= k_ticks)
             continue;
-        float& measured = ticks_[speed.tick % k_ticks].measured;
-        if (measured < 0.0f || &speed == &speeds.front())
-            measured = speed.largest;
+        Tick& tick = ticks_[speed.tick % k_ticks];
+        if (tick.measured < 0.0f || &speed == &speeds.front()) {
+            tick.measured = speed.largest;
+            tick.still = speed.still;
+        }
     }
 }
 
@@ -182,6 +184,13 @@ int SpeedBound::substeps(const Config& config, double duration) const {
     const double wanted = std::ceil(static_cast<double>(since.of(expected_after(from))) * duration /
                                     static_cast<double>(config.cell_size * config.max_cfl));
     return numerics::windrow_substeps(static_cast<float>(wanted), config.max_substeps);
+}
+
+bool SpeedBound::was_still(std::uint64_t undisturbed) const {
+    for (std::uint64_t ago = k_delay; ago < std::min({undisturbed, last_, std::uint64_t{k_ticks}}); ++ago)
+        if (at(last_ - ago).measured >= 0.0f)
+            return at(last_ - ago).still;
+    return false;
 }
 
 float SpeedBound::after(std::uint64_t read_tick, float largest, float apart) const {

@@ -6,13 +6,16 @@
 //   volume sources           u += u_S, a potential flow         at most u + u_S
 //   a change of A            the whole air changes with it      u + |change|; u - A stays
 //
-// Two decisions need one:
+// Three decisions look back:
 //
 //   Sub-steps while obstacles move (`substeps`). Each sub-step has its own place of them, so that their number must be known before
 //   the step. Every backend takes ceil(CFL / max_cfl) of the bound from the speed that was measured k_delay ticks ago. With at most
 //   four ticks in the frames in flight a device has read it back by then, and so both take the same number; else it goes on from
 //   an older speed and may take more. A report holds the speeds of the four ticks before its last one too. While none moves, a
 //   backend counts the speed that it finds.
+//
+//   Sleep (`was_still`). Air in which nothing has acted sleeps if it was still k_delay ticks ago, on every backend with the same
+//   tick.
 //
 //   Recording (`after`). A device chooses the number itself where none moves, but its host must record enough of them. The device
 //   reports two speeds, frames late: the largest component of u, and of its difference from the ambient wind A; the smaller of
@@ -50,6 +53,9 @@ class WINDROW_INTERNAL SpeedBound {
     [[nodiscard]] std::uint64_t tick() const { return last_; }
     /// Of the tick noted last, while obstacles move: 1 to Config::max_substeps.
     [[nodiscard]] int substeps(const Config& config, double duration) const;
+    /// Whether the air was still k_delay ticks before the tick noted last, or by the newest measure before; `undisturbed` ticks in
+    /// a row nothing has acted, that one included.
+    [[nodiscard]] bool was_still(std::uint64_t undisturbed) const;
     /// [m/s] In the tick noted last, by the report of an earlier one: its largest component and largest difference from ambient.
     [[nodiscard]] float after(std::uint64_t read_tick, float largest, float apart) const;
 
@@ -78,6 +84,7 @@ class WINDROW_INTERNAL SpeedBound {
     struct Tick {
         Rises rises;
         float measured = -1.0f; ///< [m/s] after it; below 0: not yet
+        bool still = false;     ///< MeasuredSpeed::still
     };
     [[nodiscard]] const Tick& at(std::uint64_t tick) const { return ticks_[tick % k_ticks]; }
     /// [m/s] After a tick: as measured, or from the newest before it that was; k_unknown where that is too long ago.

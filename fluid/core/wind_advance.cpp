@@ -142,7 +142,7 @@ void WindCore::shift_to(CellIndex origin_cells) {
         return;
     const bool calm = sleep.calm();
     if (shift.y != 0 && !ambient.uniform())
-        sleep.stir(); // the reported wind depends on height
+        sleep.turn_over(); // the reported wind depends on height
     // Gusts keep their height over the ground: where the ground moves, the gusts and their part in the air move with it.
     const bool gusts_move = shift.y != 0 && config.boundaries.y_low.solid() && config.gusts.intensity > 0.0f && !calm;
     if (gusts_move)
@@ -200,7 +200,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
         report.jumps = now.jumps;
         return;
     }
-    sleep.wake();
+    const bool begins_ambient = sleep.calm() && ambient.uniform(); // which a step leaves as it is
     report.stepped = true;
     report.motors_in_reach = static_cast<int>(reached.size());
     const bool renews_sources = config.stages.projection && renew_sources(reached);
@@ -232,6 +232,8 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     speed.note(cells_.measured());
     speed.note(step, box());
     step.tick = speed.tick();
+    sleep.begin_tick(!step.may_rest);
+    step.rests = step.may_rest && (begins_ambient || speed.was_still(sleep.undisturbed));
     if (std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); }))
         step.substeps = speed.substeps(config, duration);
     const bool rests = cells_.step(step, report);

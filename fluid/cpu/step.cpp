@@ -119,16 +119,15 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         cut_speeds(most, report);
         measure(report);
     }
-    const bool rests = step.may_rest && at_ambient();
-    if (rests) {
+    measured_ = {.tick = step.tick, .largest = report.max_speed, .still = step.may_rest && at_ambient()};
+    if (step.rests) {
         fill_air();
         measure(report); // again: the air is ambient now
     }
-    measured_ = {.tick = step.tick, .largest = report.max_speed};
     report.times_ms.obstacles += work.state().obstacles_ms;
     if (report.repaired_cells > 0 && step.kept) // their kept values are not visible
         keep();
-    return rests;
+    return step.rests;
 }
 
 // In gusts the perturbation is 0 beyond the open boundaries; only trajectories see the whole ambient wind there.

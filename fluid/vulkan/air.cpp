@@ -184,7 +184,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
         bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) |
-        bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
+        bit(step.may_rest, WINDROW_MAY_REST) | bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;

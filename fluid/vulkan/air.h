@@ -55,6 +55,7 @@ struct AirReport {
     float apart = 0.0f;             ///< [m/s] largest difference from ambient, in a component
     float pressure_residual = 0.0f; ///< around obstacles, as Diagnostics::pressure_solves
     int pressure_solves = 0;
+    unsigned still = 0;                    ///< a bit a tick, the lowest of this one, then of those before: MeasuredSpeed::still
     std::array<float, 4> largest_before{}; ///< [m/s] `largest_component` of the ticks before, the newest first
     double squares = 0.0;                  ///< sum of |u|^2
     double divergence_squares = 0.0;
@@ -249,7 +250,9 @@ class Air {
     [[nodiscard]] int obstacle_flags() const { return solids_ ? solids_->flags() : 0; }
     /// As they are `early` [s] before the end of the step.
     void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
-    void restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms);
+    void restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms,
+                           std::span<const BodyLoad> loads);
+    void restore_loads(VkCommandBuffer commands, std::span<const BodyLoad> loads);
     /// Before they are placed for a sub-step; -1: the first one of a tick.
     void uncover(VkCommandBuffer commands, int substep);
     [[nodiscard]] bool finds_forces() const { return settings_.reads.forces > 0; }

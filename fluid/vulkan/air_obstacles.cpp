@@ -4,6 +4,7 @@
 #include "fluid/vulkan/air.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -88,11 +89,16 @@ DeviceSurface Air::surface() const {
     if (!solids_ || !solids_->any() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), config_.cells)))
         return {};
     const auto keys = solids_->keys();
-    return {.placed = placed_, .inside_is_air = inside_is_air_, .keys = {keys.begin(), keys.end()}, .shift = unplaced_shift_};
+    return {.placed = placed_,
+            .inside_is_air = inside_is_air_,
+            .keys = {keys.begin(), keys.end()},
+            .shift = unplaced_shift_,
+            .load_duration = finds_forces() ? static_cast<float>(step_duration_) : 0.0f};
 }
 
 // The obstacles of the last step.
-void Air::restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms) {
+void Air::restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms,
+                            std::span<const BodyLoad> loads) {
     const bool placed = detail::memory_lasts([&] {
         solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl, finds_forces());
         solids_->set_keys(std::move(surface.keys));
@@ -103,8 +109,35 @@ void Air::restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, s
     place_again_ = !(placed && write_obstacles(commands));
     if (place_again_)
         solids_.reset();
+    else if (finds_forces())
+        restore_loads(commands, loads);
     inside_is_air_ = surface.inside_is_air;
     unplaced_shift_ = surface.shift;
+    step_duration_ = static_cast<double>(surface.load_duration);
+}
+
+// What the pressure's history does to each body: the next step's forces need it.
+void Air::restore_loads(VkCommandBuffer commands, std::span<const BodyLoad> loads) {
+    const auto bodies = solids_->any() ? solids_->solids().bodies() : std::span<const detail::PlacedObstacle>();
+    barrier(k_compute | k_transfer, k_transfer);
+    for (std::size_t n = 0; n < bodies.size(); ++n) {
+        const auto of = std::find_if(loads.begin(), loads.end(), [&](const BodyLoad& load) {
+            return load.slot == bodies[n].slot && load.generation == bodies[n].generation;
+        });
+        if (of == loads.end())
+            continue;
+        std::array<float, WINDROW_LOAD> words{};
+        auto to = words.begin();
+        for (const PressurePush& push : {of->history, of->sources, of->sum, of->blast}) {
+            for (const glm::dvec3& vector : {push.impulse, push.twist})
+                for (int axis = 0; axis < 3; ++axis)
+                    *to++ = static_cast<float>(vector[axis]);
+            *to++ = static_cast<float>(push.potential);
+            *to++ = static_cast<float>(push.wetted);
+        }
+        write(commands, fields_.around, std::as_bytes(std::span(words)), loads_at(history_slot_) + n * sizeof(words));
+    }
+    barrier(k_transfer, k_compute | k_transfer);
 }
 
 // The old buffer is kept until its slot is reused.

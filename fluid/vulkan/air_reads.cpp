@@ -76,6 +76,7 @@ AirReport Air::report(int slot) const {
             .apart = read.apart,
             .pressure_residual = read.pressure_residual,
             .pressure_solves = static_cast<int>(read.pressure_solves),
+            .still = read.still,
             .largest_before = {read.largest_before[0], read.largest_before[1], read.largest_before[2], read.largest_before[3]},
             .squares = static_cast<double>(read.squares),
             .divergence_squares = static_cast<double>(read.divergence_squares)};

@@ -13,7 +13,7 @@ static_assert(std::endian::native == std::endian::little, "cells are copied as t
 
 // --- From the device ---------------------------------------------------------------------------------------------------------
 
-Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells, std::size_t faces) {
+Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells, std::size_t faces, std::size_t bodies) {
     SavedAir saved;
     saved.cells = cells;
     const glm::u64vec3 axes(cells);
@@ -35,14 +35,33 @@ Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells, std::size_t 
     if (faces > 0)
         if (auto made = make(saved.terms, faces * sizeof(float)); !made)
             return made.failure();
+    if (bodies > 0)
+        if (auto made = make(saved.loads, bodies * sizeof(float) * WINDROW_LOAD); !made)
+            return made.failure();
     return saved;
+}
+
+// As BodyLoad is archived behind its handle, from the words of loads.comp.
+static void write_load(const std::byte* from, std::byte* to) {
+    float words[WINDROW_LOAD];
+    std::memcpy(words, from, sizeof(words));
+    *to++ = std::byte{words[3 * WINDROW_PUSHED - 1] > 0.0f}; // in the box: closed faces of the sum
+    for (const float word : words) {
+        const double value = word;
+        std::memcpy(to, &value, sizeof(value));
+        to += sizeof(value);
+    }
 }
 
 VkResult SavedAir::invalidate() const {
     for (const Buffer* buffer : {&control, &velocity, &history, &source_flow, &before})
         if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
             return result;
-    return terms.bytes() > 0 ? terms.invalidate() : VK_SUCCESS;
+    for (const Buffer* buffer : {&terms, &loads})
+        if (buffer->bytes() > 0)
+            if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
+                return result;
+    return VK_SUCCESS;
 }
 
 void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const {
@@ -69,7 +88,7 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
         const glm::vec4 u = value(velocity, n, now), then = value(before, n);
         return factor == 1.0f || plan.nonfinite_cells + found.nonfinite_cells > 0 ? u : then + factor * (u - then);
     };
-    std::size_t term = 0;
+    std::size_t term = 0, load = 0;
     for (const SnapshotDraft::Gap& gap : draft.gaps) {
         std::byte* const to = draft.bytes.data() + gap.at;
         const auto copy = [&](const void* from) { std::memcpy(to, from, gap.bytes); };
@@ -108,6 +127,9 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
         case DeviceState::surface_term:
             copy(terms.mapped() + sizeof(float) * term++);
             break;
+        case DeviceState::body_load:
+            write_load(loads.mapped() + sizeof(float) * WINDROW_LOAD * load++, to);
+            break;
         }
     }
 }
@@ -121,10 +143,12 @@ void Air::save(VkCommandBuffer commands, SavedAir& saved) {
     copy(commands, fields_.history, saved.history);
     copy(commands, fields_.source_flow, saved.source_flow);
     copy(commands, fields_.before, saved.before);
-    if (saved.terms.bytes() > 0) {
-        const VkBufferCopy region{.srcOffset = history_at(history_slot_), .dstOffset = 0, .size = saved.terms.bytes()};
-        device_->functions().vkCmdCopyBuffer(commands, fields_.around.handle(), saved.terms.handle(), 1, &region);
-    }
+    for (const auto& [to, at] :
+         {std::pair{&saved.terms, history_at(history_slot_)}, std::pair{&saved.loads, loads_at(history_slot_)}})
+        if (to->bytes() > 0) {
+            const VkBufferCopy region{.srcOffset = at, .dstOffset = 0, .size = to->bytes()};
+            device_->functions().vkCmdCopyBuffer(commands, fields_.around.handle(), to->handle(), 1, &region);
+        }
     barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
     saved.factor = shown_factor_;
     saved.torus = torus_;
@@ -148,7 +172,7 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
         return true;
     };
     window_ = window;
-    restore_obstacles(commands, std::move(air.surface), std::move(air.terms));
+    restore_obstacles(commands, std::move(air.surface), std::move(air.terms), air.loads);
     // Both sets of textures, from the field that then takes the air.
     const auto show_as = [&](int set, const Window& place) {
         window_ = place;

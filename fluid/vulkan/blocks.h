@@ -22,7 +22,7 @@ static_assert(sizeof(WindrowAmbient) == 7 * 16 && sizeof(WindrowStep) == 25 * 16
 static_assert(offsetof(WindrowStep, ambient) == 5 * 16 && offsetof(WindrowStep, gust_speed) == 6 * 16);
 static_assert(offsetof(WindrowStep, low) == 8 * 16 && offsetof(WindrowStep, wind) == 18 * 16);
 static_assert(sizeof(WindrowPlan) == 4 * 16 && offsetof(WindrowPlan, first_slot) == 16);
-static_assert(sizeof(WindrowControl) == 25 * 16 && offsetof(WindrowControl, plan) == 2 * 16);
+static_assert(sizeof(WindrowControl) == 26 * 16 && offsetof(WindrowControl, plan) == 2 * 16);
 static_assert(offsetof(WindrowControl, last_duration) == 6 * 16 && offsetof(WindrowControl, diffused_time) == 8 * 16);
 static_assert(sizeof(WindrowRule) == 4 * 16 && offsetof(WindrowRule, scale) == 16);
 static_assert(sizeof(WindrowReport) == 4 * 16 && sizeof(WindrowPoint) == 4 * 16 && sizeof(WindrowReadPush) == 32);

@@ -30,8 +30,6 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
     if (!prepared)
         return prepared.failure();
     materialise_gusts(); // with the old boundaries
-    rest.filled = false;
-    rest.disturb();
     new_sides_ = *std::move(prepared);
     return {};
 }
@@ -47,12 +45,6 @@ void DeviceCells::apply(const CellChange& change) {
     record(change);
     if (change.kind == Kind::fill || change.kind == Kind::set)
         held_at_ = wind_.sleep.drift;
-    if (change.kind == Kind::fill)
-        rest.filled = true;
-    if (change.kind == Kind::add_wind || change.kind == Kind::add_change || change.kind == Kind::set) {
-        rest.filled = rest.filled && change.kind == Kind::add_change && !change.to_air;
-        rest.disturb();
-    }
 }
 
 Result<void> DeviceCells::check(const Gusts& gusts) const {
@@ -67,7 +59,9 @@ MeasuredSpeeds DeviceCells::measured() const {
     const AirReport& report = read_backs_.report();
     MeasuredSpeeds speeds{};
     for (std::uint64_t n = 0; n < speeds.size() && n < last && last - n > loaded_tick_; ++n)
-        speeds[n] = {.tick = last - n, .largest = n == 0 ? report.largest_component : report.largest_before[n - 1]};
+        speeds[n] = {.tick = last - n,
+                     .largest = n == 0 ? report.largest_component : report.largest_before[n - 1],
+                     .still = (report.still >> n & 1u) != 0};
     return speeds;
 }
 
@@ -86,7 +80,6 @@ bool DeviceCells::materialise_gusts() {
 
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     materialise_gusts();
-    rest.begin_tick(step.tick, !step.motors.empty() || step.drag.any() || step.renews_sources, step.ambient->uniform());
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};
     if (dictated) {
@@ -94,7 +87,7 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
         dictated_.pop_front();
     } else {
         const Air::Recorded recorded = recording_of(step);
-        tick = {.substeps = static_cast<std::uint8_t>(recorded.substeps), .limits = recorded.limits, .rests = rests(step)};
+        tick = {.substeps = static_cast<std::uint8_t>(recorded.substeps), .limits = recorded.limits, .rests = step.rests};
     }
     air->step(commands_, step, {.substeps = tick.substeps, .limits = tick.limits});
     report.out_of_memory = air->lacks_obstacles() || air->lacks_drag();
@@ -127,12 +120,6 @@ Air::Recorded DeviceCells::recording_of(const CellStep& step) const {
     const double most = wind_.config.max_substeps, behind = static_cast<double>(report.carried_time);
     return {.substeps = static_cast<int>(std::clamp(substeps_in(step.duration + behind), 1.0, most)),
             .limits = substeps_in(step.duration) > most};
-}
-
-bool DeviceCells::rests(const CellStep& step) const {
-    const AirReport& report = read_backs_.report();
-    return step.may_rest && report.carried_time == 0.0f &&
-           rest.at_ambient(read_backs_.tick(), report.apart, wind_.config.sleep_speed);
 }
 
 // Report of air at rest: the ambient wind, which without gusts differs by height alone. With gusts the last read-back is
@@ -189,7 +176,6 @@ void DeviceCells::continue_from(RestoredAir&& restored) {
     queue_.clear();
     queue_.make_room();
     loaded_tick_ = wind_.speed.tick();
-    rest = {.tick = loaded_tick_, .disturbed_tick = loaded_tick_}; // a pause reads nothing of this air back
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

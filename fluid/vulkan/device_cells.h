@@ -19,28 +19,6 @@ class WindCore;
 
 namespace windrow::vulkan {
 
-/// Whether the air on the device is at rest, as far as the host knows: it reads back frames later.
-struct DeviceRest {
-    std::uint64_t tick = 0;
-    std::uint64_t disturbed_tick = 0; ///< the last one in which something acted
-    bool filled = false;              ///< the next tick begins with the ambient wind in all cells
-    bool left_alone = false;          ///< the last one did, where it is steady, and nothing acted
-
-    /// Something acts before the next tick.
-    void disturb() { disturbed_tick = tick + 1; }
-    void begin_tick(std::uint64_t number, bool acts, bool steady) {
-        tick = number;
-        if (acts)
-            disturbed_tick = tick;
-        left_alone = filled && disturbed_tick != tick && steady;
-        filled = false;
-    }
-    /// `read_tick`: of a report that differs from ambient by `apart` [m/s].
-    [[nodiscard]] bool at_ambient(std::uint64_t read_tick, float apart, float sleep_speed) const {
-        return left_alone || (read_tick > disturbed_tick && apart < sleep_speed);
-    }
-};
-
 class DeviceCells final : public CellStorage {
   public:
     /// Both outlive it.
@@ -71,7 +49,6 @@ class DeviceCells final : public CellStorage {
     void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 
     std::unique_ptr<Air> air;
-    DeviceRest rest;
     std::function<void(const OriginShift&)> when_shifted; ///< called by shift_origin: frames that were recorded move too
     std::optional<float> blend; ///< the textures of this frame are to be written, so far between the ticks
     bool shows_anew = false;    ///< the frame before the next is that frame: the wind was reset
@@ -86,7 +63,6 @@ class DeviceCells final : public CellStorage {
     [[nodiscard]] std::uint64_t known_tick() const { return std::max(loaded_tick_, read_backs_.tick()); }
     /// As many sub-steps as the bound of the speed asks for.
     [[nodiscard]] Air::Recorded recording_of(const CellStep& step) const;
-    [[nodiscard]] bool rests(const CellStep& step) const;
 
     const WindCore& wind_;
     const ReadBacks& read_backs_;

@@ -13,8 +13,8 @@ namespace windrow::vulkan {
 /// Copies of the fields, one after another in time: `Air::save` records them, `fill` reads them once they are done.
 class SavedAir {
   public:
-    /// 80 bytes a cell. `faces`: closed ones of obstacles.
-    [[nodiscard]] static Result<SavedAir> create(Device& device, glm::ivec3 cells, std::size_t faces);
+    /// 80 bytes a cell. `faces`: closed ones of obstacles. `bodies`: with forces.
+    [[nodiscard]] static Result<SavedAir> create(Device& device, glm::ivec3 cells, std::size_t faces, std::size_t bodies);
     /// Makes what the device wrote visible.
     [[nodiscard]] VkResult invalidate() const;
     /// Fills the gaps of a draft that was made when this was recorded. `shown`: the frame of then, with `ticks`.
@@ -22,7 +22,7 @@ class SavedAir {
 
     // Of the recording:
     Buffer control, velocity, history, source_flow, before; ///< as Fields has them
-    Buffer terms;                                           ///< at closed faces; empty without
+    Buffer terms, loads;                                    ///< at closed faces, and of bodies; empty without
     glm::ivec3 cells{0}, torus{0};                          ///< of the box, WindrowStep::torus
     float factor = 1.0f;                                    ///< of the frame shown
 };
@@ -36,6 +36,7 @@ struct RestoredAir {
     float undiffused_time = 0.0f; ///< [s]
     DeviceSurface surface{};
     std::vector<float> terms{};     ///< at its faces
+    std::vector<BodyLoad> loads{};  ///< of its bodies
     Window shown{}, shown_before{}; ///< the boxes of both frames
 };
 

@@ -89,7 +89,7 @@ RecordedFrame Wind::State::frame_now() const {
             .box = core.box(),
             .blend_zone = core.blend_zone(shown.blend_centre),
             .time = time,
-            .tick = cells.rest.tick,
+            .tick = core.speed.tick(),
             .reading = cells.air->reading(),
             .part = cells.air->sampled_part()};
 }
@@ -180,7 +180,6 @@ void Wind::State::forget() {
         save.reset();
     if (clock)
         clock->forget();
-    cells.rest.disturb();
     core.sleep.stir();
 }
 

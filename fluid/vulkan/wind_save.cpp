@@ -14,7 +14,8 @@ void Wind::State::record_save(VkCommandBuffer commands) {
     save_error.clear();
     bool noted = windrow::detail::memory_lasts([&] {
         const DeviceSurface surface = cells.air->surface();
-        auto air = SavedAir::create(cells.air->device(), core.config.cells, surface.keys.size());
+        auto air = SavedAir::create(cells.air->device(), core.config.cells, surface.keys.size(),
+                                    surface.load_duration > 0.0f ? surface.placed.size() : 0);
         if (!air) {
             save_error = air.error();
             return;
@@ -95,8 +96,10 @@ Result<RestoredAir> restored(Device& device, LoadedWind& from) {
     air.surface = {.placed = std::move(from.surface.placed),
                    .inside_is_air = from.surface.inside_is_air,
                    .keys = std::move(from.surface.keys),
-                   .shift = from.surface.shift};
+                   .shift = from.surface.shift,
+                   .load_duration = from.surface.duration};
     air.terms = std::move(from.surface.terms);
+    air.loads = std::move(from.surface.loads);
     if (from.core.frames) {
         air.shown = from.core.frames->shown.window;
         air.shown_before = from.core.frames->shown_before.window;

@@ -170,7 +170,8 @@ void main() {
         for (int n = 3; n > 0; --n)
             control.left_before[n] = control.left_before[n - 1];
         control.left_before[0] = control.left_fastest;
-        control.left_fastest = control.left_in_rows = 0u;
+        control.left_still = still_ticks();
+        control.left_fastest = control.left_in_rows = control.left_apart = 0u;
     }
     const int at = cell_index(cell);
     const ivec3 stride = strides();

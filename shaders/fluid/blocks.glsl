@@ -34,6 +34,7 @@
 #define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
 #define WINDROW_ROUGH 2097152       // the ground is rough
 #define WINDROW_DRAG 4194304        // deposits of drag are in the box
+#define WINDROW_MAY_REST 8388608    // nothing acts: it is found whether the air is still
 #define WINDROW_FIRST_TICK 16777216 // of its recording
 #define WINDROW_COUNTED 67108864    // the last pass of the tick before has found what `sources` else does, which is left out
 #define WINDROW_PLANS 33554432      // one sub-step is recorded: the first pass over cells derives the plan, no pass makes it
@@ -125,6 +126,9 @@ struct WindrowControl {
     uint limited_cells;         // as these
     float diffused_time[64];    // [s] for which each sub-step diffuses; 0: left for later
     uint left_before[4];        // `left_fastest` of the ticks before the last one, the newest first
+    uint left_apart; // [m/s] bits of the largest difference from ambient, where nothing acts: by the last pass of a tick
+    uint left_still; // a bit a tick before, the newest lowest: nothing acted, and it was less than the sleep speed
+    uint unused_a, unused_b;
 };
 
 // What the host reads of the last tick of a recording: 64 bytes.
@@ -139,7 +143,8 @@ struct WindrowReport {
     float divergence_squares; // [1/s^2] sum of the squared divergence
     float pressure_residual;  // around obstacles: left of the divergence at their surfaces
     uint pressure_solves;     // direct solves of the last sub-step around obstacles
-    uint unused_a, unused_b;
+    uint still;               // a bit a tick, the newest lowest: nothing acted, and the air was within the sleep speed of ambient
+    uint unused;
     float largest_before[4]; // `largest_component` of the ticks before, the newest first: a recording may have several
 };
 

@@ -29,6 +29,7 @@ layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction
 
 shared uint group_largest;
 shared uint group_in_rows;
+shared uint group_apart;
 
 // The history of B phi at closed faces, as that of the gradient: each face by its low cell.
 void keep_terms(int record, vec3 above, float weight, float kept) {
@@ -115,12 +116,18 @@ void step_cell(ivec3 cell) {
     atomicMax(group_largest, floatBitsToUint(largest_component(u)));
     if (k_own_rows)
         atomicMax(group_in_rows, floatBitsToUint(largest_component(in_rows(u, cell.y))));
+    if (is_on(WINDROW_MAY_REST) && !record_is(record, WINDROW_INSIDE)) {
+        const vec3 around = record_is(record, WINDROW_ROOM)
+                                ? vec3(0.0f)
+                                : wind_at(cell, elapsed() + WINDROW_OF_PLAN.substep_duration, is_on(WINDROW_GUSTS));
+        atomicMax(group_apart, floatBitsToUint(largest_component(u - around)));
+    }
 }
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (gl_LocalInvocationIndex == 0)
-        group_largest = group_in_rows = 0;
+        group_largest = group_in_rows = group_apart = 0;
     barrier();
     if (inside(cell, tick.cells))
         step_cell(cell);
@@ -136,5 +143,6 @@ void main() {
         atomicMax(control.left_fastest, group_largest);
         if (k_own_rows)
             atomicMax(control.left_in_rows, group_in_rows);
+        atomicMax(control.left_apart, is_on(WINDROW_MAY_REST) ? group_apart : floatBitsToUint(3e38f)); // air that is acted on
     }
 }

@@ -141,4 +141,9 @@ float largest_component(vec3 u) {
     return max(max(a.x, a.y), a.z);
 }
 
+// A bit a tick, the newest lowest: nothing acted, the air was within the sleep speed of the ambient wind, and is not behind.
+uint still_ticks() {
+    return control.left_still << 1 | uint(uintBitsToFloat(control.left_apart) < tick.sleep_speed && control.behind == 0.0f);
+}
+
 #endif

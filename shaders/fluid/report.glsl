@@ -72,6 +72,7 @@ void write_report(int count, int forces, int forces_at) {
     const bool any = has_obstacles();
     report.pressure_residual = any && around.wanted > 0.0f ? around.left / around.wanted : 0.0f;
     report.pressure_solves = any ? uint(around.solved) : 0u;
+    report.still = still_ticks();
     for (int n = 0; n < 4; ++n)
         report.largest_before[n] = uintBitsToFloat(control.left_before[n]);
 }

@@ -20,7 +20,7 @@ std::vector<Scenario> table() {
     std::vector<Scenario> rows = test::scenarios(test::whole_sweeps());
     for (Scenario& row : test::matrix_of_motion(test::whole_sweeps() ? 1 : 7))
         rows.push_back(std::move(row));
-    for (Scenario& row : test::random_scenarios(test::sampled(40, 8)))
+    for (Scenario& row : test::random_scenarios(test::whole_sweeps() ? 40 : 4))
         rows.push_back(std::move(row));
     return rows;
 }

@@ -286,10 +286,11 @@ TEST_F(WindSaves, ObstaclesAreInTheBoxThatWasRead) {
     EXPECT_EQ(std::count(after.begin(), after.end(), 1.0f), 8 * 8 * 8);
 }
 
-// The pressure's history at the bodies is part of it: without it the wind goes on otherwise.
+// The pressure's history at the bodies is part of it: without it the wind goes on otherwise, and so do the forces.
 TEST_F(WindSaves, ObstaclesGoOn) {
     const Config config{.cells = {16, 10, 12}, .ambient = {5.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}};
-    auto made = Wind::create(sharing_host(), config, {.texel = Texel::single, .queries = ReadBack::cells});
+    const Settings settings{.texel = Texel::single, .queries = ReadBack::cells, .forces = 2};
+    auto made = Wind::create(sharing_host(), config, settings);
     ASSERT_TRUE(made) << made.error();
     const auto ball = made->obstacles().add({.position = {-3.0, 0.0, 0.0}, .shape = Sphere{2.0f}});
     ASSERT_TRUE(ball && made->obstacles().add({.position = {3.0, 0.0, 1.0}, .shape = Plate{{2.0f, 3.0f}}}));
@@ -302,16 +303,26 @@ TEST_F(WindSaves, ObstaclesGoOn) {
         go(*made, n, n == 9);
     const auto bytes = made->saved();
     ASSERT_TRUE(bytes) << bytes.error();
-    auto loaded = Wind::load(sharing_host(), *bytes, {.texel = Texel::single, .queries = ReadBack::cells});
+    auto loaded = Wind::load(sharing_host(), *bytes, settings);
     ASSERT_TRUE(loaded) << loaded.error();
     auto on_cpu = windrow::Wind::load(*bytes);
     ASSERT_TRUE(on_cpu) << on_cpu.error();
     EXPECT_EQ(on_cpu->obstacles().count(), 2);
+    const auto off = [&](const auto& one, const auto& other) {
+        const auto a = one.force_on(*ball), b = other.force_on(*ball);
+        EXPECT_TRUE(a && b);
+        return a && b ? static_cast<double>(glm::length(a->force - b->force) / glm::length(b->force)) : 1.0;
+    };
+    EXPECT_LE(off(*on_cpu, *made), 1e-6) << "before a step";
     for (int n = 10; n < 20; ++n) {
         go(*made, n, false);
         go(*loaded, n, false);
         const auto a = made->queried()->field(), b = loaded->queried()->field();
         ASSERT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end())) << "frame " << n;
+        EXPECT_TRUE(on_cpu->obstacles().move(*ball, {-3.0 + 0.1 * n, 0.0, 0.0}) && on_cpu->follow({0.1 * n, 0.0, 0.0}));
+        (void)on_cpu->advance(1.0 / 30.0);
+        EXPECT_EQ(off(*loaded, *made), 0.0) << "frame " << n;
+        EXPECT_LE(off(*on_cpu, *made), 1e-4) << "frame " << n;
     }
 }
 

@@ -183,11 +183,7 @@ class WindStories : public WindParity {
             log << (ticks ? " frame " : " step ") << dt;
             const auto pass = [&](double duration) { ticks ? frame(pair, duration) : step(pair, duration); };
             pass(dt);
-            // Both sleep before anything acts again: what wakes the one finds it without a past, and the other with one.
-            int waited = 0;
-            while (pair.cpu_sleeps != pair.device_sleeps && ++waited < 30)
-                pass(1.0 / 30.0);
-            EXPECT_LT(waited, 30) << "one of them stays awake";
+            EXPECT_EQ(pair.cpu_sleeps, pair.device_sleeps);
             log << "  [" << pair.last << ']';
             if (!(pair.last <= bound))
                 break;
@@ -215,10 +211,9 @@ TEST_F(WindStories, OfAirThatNeverSleeps) {
     try_many("awake", 1000, 0.0f, 1e-5);
 }
 
-// The two fall asleep some frames apart, each from less than sleep_speed off its ambient wind.
+// Both fall asleep with the same tick: what wakes the one a tick later finds no past, and so with the other.
 TEST_F(WindStories, OfAirThatSleeps) {
-    constexpr float k_sleep_speed = 1e-3f;
-    try_many("asleep", 2000, k_sleep_speed, 2.0 * static_cast<double>(k_sleep_speed));
+    try_many("asleep", 2000, 1e-3f, 1e-5);
 }
 
 } // namespace

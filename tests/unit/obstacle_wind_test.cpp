@@ -46,7 +46,7 @@ std::vector<ObstacleId> add_bodies(Wind& wind) {
 TEST(WindWithObstacles, SleepsWhereNothingActs) {
     Wind calm = made({.cells = {8, 8, 8}});
     const ObstacleId body = *calm.obstacles().add({.shape = Sphere{1.5f}});
-    take_steps(calm, 3, 0.1);
+    take_steps(calm, 6, 0.1);
     EXPECT_TRUE(calm.step(0.1).asleep) << "still air around a body at rest";
     EXPECT_TRUE(calm.follow({3.0, 0.0, 0.0}));
     EXPECT_TRUE(calm.step(0.1).asleep) << "the box moves among bodies at rest";
@@ -218,7 +218,7 @@ TEST(SnapshotWithObstacles, GoesOnToTheSameBitsWhereverTheBoxHasBeen) {
 TEST(SnapshotWithObstacles, ASleeperSleepsOn) {
     Wind first = made({.cells = {8, 8, 8}});
     ASSERT_TRUE(first.obstacles().add({.shape = Sphere{1.5f}}));
-    take_steps(first, 4, 0.1);
+    take_steps(first, 7, 0.1);
     Wind again = loaded(*first.save());
     for (Wind* wind : {&first, &again})
         ASSERT_TRUE(wind->obstacles().add({.position = {50.0, 0.0, 0.0}}));

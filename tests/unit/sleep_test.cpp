@@ -68,7 +68,7 @@ TEST(Sleep, WakingEqualsAFreshSolverToTheBit) {
             ASSERT_TRUE(slept.step(1.0 / 60.0).asleep) << name;
         Wind fresh = made(config);
         for (int n = 0; n < steps + 100; ++n) // the gusts of the same moment
-            ASSERT_TRUE(fresh.step(1.0 / 60.0).asleep) << name;
+            ASSERT_EQ(fresh.step(1.0 / 60.0).asleep, n >= 4 || fresh.view().ambient().uniform()) << name;
         EXPECT_EQ(cells_that_differ(slept.field(), fresh.field()), 0u) << name;
         std::size_t differing = 0;
         for (Wind* wind : {&slept, &fresh})

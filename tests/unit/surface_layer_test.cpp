@@ -209,7 +209,7 @@ TEST(WindOnRoughGround, SleepsWhereTheGroundIsThatOfItsProfile) {
                   .profile = LogProfile{.roughness_length = 0.05f},
                   .roughness = Roughness{.length = 0.05f}};
     Wind like = made(config);
-    take_steps(like, 3, 0.1);
+    take_steps(like, 5, 0.1);
     EXPECT_TRUE(like.step(0.1).asleep);
     for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::no_slip}) {
         Wind over_nothing = made(with(config, [&](Config& c) {
