@@ -35,6 +35,29 @@ class Chance {
     std::mt19937 random_;
 };
 
+/// A shape of the table, which is some cells wide, `factor` times as large.
+[[nodiscard]] inline Shape resized(Shape shape, float factor) {
+    if (auto* const ball = std::get_if<Sphere>(&shape))
+        ball->radius *= factor;
+    if (auto* const block = std::get_if<Block>(&shape))
+        block->half_size *= factor;
+    if (auto* const rod = std::get_if<Capsule>(&shape)) {
+        rod->half_axis *= factor;
+        rod->radius *= factor;
+    }
+    if (auto* const drum = std::get_if<Cylinder>(&shape)) {
+        drum->radius *= factor;
+        drum->half_length *= factor;
+    }
+    if (auto* const plate = std::get_if<Plate>(&shape))
+        plate->half_size *= factor;
+    if (auto* const mesh = std::get_if<MeshShape>(&shape))
+        mesh->scale = factor;
+    if (auto* const voxels = std::get_if<VoxelShape>(&shape))
+        voxels->cell_size *= factor;
+    return shape;
+}
+
 class AnyWind {
   public:
     explicit AnyWind(std::uint32_t seed) : chance_(seed) {
@@ -140,29 +163,6 @@ class AnyWind {
     /// [m] Anywhere in the box.
     [[nodiscard]] glm::dvec3 place(glm::dvec3 in_cube) const {
         return in_cube * half_ + glm::dvec3(0.0, floor_ ? half_.y : 0.0, 0.0);
-    }
-
-    /// A shape of the table, which is some cells wide, `factor` times as large.
-    [[nodiscard]] static Shape resized(Shape shape, float factor) {
-        if (auto* const ball = std::get_if<Sphere>(&shape))
-            ball->radius *= factor;
-        if (auto* const block = std::get_if<Block>(&shape))
-            block->half_size *= factor;
-        if (auto* const rod = std::get_if<Capsule>(&shape)) {
-            rod->half_axis *= factor;
-            rod->radius *= factor;
-        }
-        if (auto* const drum = std::get_if<Cylinder>(&shape)) {
-            drum->radius *= factor;
-            drum->half_length *= factor;
-        }
-        if (auto* const plate = std::get_if<Plate>(&shape))
-            plate->half_size *= factor;
-        if (auto* const mesh = std::get_if<MeshShape>(&shape))
-            mesh->scale = factor;
-        if (auto* const voxels = std::get_if<VoxelShape>(&shape))
-            voxels->cell_size *= factor;
-        return shape;
     }
 
     void choose_bodies() {

@@ -197,25 +197,23 @@ float Solids::depth_at(const View& view, const Reach& reach, glm::ivec3 cell) co
     return reach.holds(cell) ? depths_[reach.index(cell)] : away_at(view, glm::vec3(cell) + 0.5f);
 }
 
-// Whether a body passes between the centres of a cell and of its high neighbour, both air, without holding one.
+// Whether a body passes between the centres of a cell and of its high neighbour, which it does not hold.
 bool Solids::line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const {
     glm::ivec3 next = cell;
     ++next[axis];
-    const bool flat = std::holds_alternative<Plate>(view.body.shape), ground = std::holds_alternative<Ground>(view.body.shape);
+    const bool ground = std::holds_alternative<Ground>(view.body.shape);
     const float away = depth_at(view, reach, cell);
-    if (!flat && holds(depth_at(view, reach, next)))
-        return false;
     if (const Column* const column = column_of(reach, cell)) // no vertical line meets it between air and air
         return axis != 1 && rise_over(view, *column, cell, away) - column->crest[axis] <= detail::k_touches;
     return (ground || away < view.coarsest + k_touch) &&
            together_.blocks(view.from_middle(glm::vec3(cell) + 0.5f), view.from_middle(glm::vec3(next) + 0.5f));
 }
 
-// Whether another piece of the whole that a body is a part of draws a cell, or another body that it touches.
-bool Solids::is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const {
-    const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-    return (wholes_.is_part(number) && wholes_.is_anothers(number, view.own_place(centre))) ||
-           (ground_.empty() && together_.is_anothers(view.from_middle(centre)));
+// Whether another piece of the whole that a body is a part of draws what is at a place [cells], or another body that it touches: the centre
+// of a cell, or the middle of a face, whose wall is the body that is nearest to it.
+bool Solids::is_anothers(std::size_t number, const View& view, glm::vec3 place) const {
+    return (wholes_.is_part(number) && wholes_.is_anothers(number, view.own_place(place))) ||
+           (ground_.empty() && together_.is_anothers(view.from_middle(place)));
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
@@ -260,19 +258,21 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
         }
         const TiledGround::Owner owner = owner_of(reach, cell);
         const bool near = may_touch(view, reach, cell, away, k_beside);
-        if (owner == TiledGround::Owner::other || (!near && !holds(away)) || is_anothers(number, view, cell))
+        if (owner == TiledGround::Owner::other || (!near && !holds(away)))
             return;
+        const glm::vec3 centre = glm::vec3(cell) + 0.5f;
         const bool in = holds_own(cell, away);
-        if (in)
+        if (in && !is_anothers(number, view, centre))
             draw_inside(view, reach, cell, away, near && may_touch(view, reach, cell, away, 1.5f));
         if (!near)
             return;
-        const glm::vec3 centre = glm::vec3(cell) + 0.5f;
         for (int axis = 0; axis < 3; ++axis) {
             glm::vec3 step(0.0f);
             step[axis] = 1.0f;
             if (owner == TiledGround::Owner::none &&
                 (axis == 1 || owner_of(reach, cell + glm::ivec3(step)) != TiledGround::Owner::drawn))
+                continue;
+            if (is_anothers(number, view, centre + 0.5f * step))
                 continue;
             const auto fraction = [&](const detail::HostVector<float>& distances) {
                 glm::ivec3 face = cell, one(0), other(0);
@@ -283,12 +283,15 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
             };
             const glm::ivec3 next = cell + glm::ivec3(step);
             float closed = flat ? 0.0f : fraction(distances_);
-            if (closed < 1.0f && tight && (in || holds_own(next, depth_at(view, reach, next))))
-                closed = 1.0f;
-            if (closed < 1.0f && !shut_.empty())
-                closed += (1.0f - closed) * std::max(shut_at(view, reach, cell, axis), shut_at(view, reach, next, axis));
-            if (closed < 1.0f && !in && line_is_blocked(view, reach, cell, axis))
-                closed = 1.0f;
+            if (closed < 1.0f) {
+                const bool holds_one = in || holds_own(next, depth_at(view, reach, next));
+                if (!holds_one && line_is_blocked(view, reach, cell, axis))
+                    closed = 1.0f;
+                else if (holds_one && tight)
+                    closed = 1.0f;
+                else if (!shut_.empty())
+                    closed += (1.0f - closed) * std::max(shut_at(view, reach, cell, axis), shut_at(view, reach, next, axis));
+            }
             if (!before_.empty())
                 closed -= fraction(before_);
             if (!(closed > k_least_closed))
@@ -332,7 +335,7 @@ void Solids::draw_near(std::size_t number, const View& view, const Reach& reach,
             for (int axis = 0; axis < 3 && !near; ++axis)
                 near = (cell[axis] > reach.low[axis] && depths_[n - strides[axis]] < filled) ||
                        (cell[axis] + 1 < reach.high[axis] && depths_[n + strides[axis]] < filled);
-            if (near && !is_anothers(number, view, cell)) {
+            if (near && !is_anothers(number, view, glm::vec3(cell) + 0.5f)) {
                 const bool others = away > 0.0f && !before_.empty(); // what was drawn before it has the cells near to itself
                 drawn_near_.push_back(
                     {cell, others ? together_.own_away(view.from_middle(glm::vec3(cell) + 0.5f)) / view.cell_size : away});

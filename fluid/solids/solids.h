@@ -371,7 +371,7 @@ class Solids {
     [[nodiscard]] bool line_is_blocked(const View& view, const Reach& reach, glm::ivec3 cell, int axis) const;
     [[nodiscard]] float depth_at(const View& view, const Reach& reach, glm::ivec3 cell) const;
     void draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away, bool beside);
-    [[nodiscard]] bool is_anothers(std::size_t number, const View& view, glm::ivec3 cell) const;
+    [[nodiscard]] bool is_anothers(std::size_t number, const View& view, glm::vec3 place) const;
     void draw_near(std::size_t number, const View& view, const Reach& reach, const Reach& drawn);
     void measure(const View& view, const Reach& reach);
     [[nodiscard]] glm::vec3 shut_by_edges(const View& view, glm::ivec3 cell, float away) const;

@@ -1,6 +1,6 @@
 // Cells on the device. The device is ahead of the host by the frames in flight. The host decides by its own data (motors in
-// reach of the box, a move of the box). The device decides by its own data (the sub-steps). Sleep needs both: it begins when a
-// read-back shows that the air is still and nothing has acted since.
+// reach of the box, a move of the box). The device decides by its own data (the sub-steps). Sleep needs both: the core decides by
+// what a read-back says of the tick SpeedBound::k_delay before.
 #include "fluid/vulkan/device_cells.h"
 
 #include "fluid/core/message.h"
