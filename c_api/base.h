@@ -28,7 +28,8 @@ WINDROW_C_API uint32_t windrow_version(void);
 /* The same as text, "0.1.0". */
 WINDROW_C_API const char* windrow_version_string(void);
 
-/* Parts that a build may leave out. Their functions are always there; without the part they return WINDROW_UNSUPPORTED. */
+/* Parts that a build may leave out. Their functions are always there; without the part they return WINDROW_UNSUPPORTED. VDB is in a
+   library of its own, libwindrow_openvdb-0.1.so, which its first call opens beside this one: so does a call that finds none. */
 typedef int32_t windrow_part;
 enum { WINDROW_PART_COUPLING = 0, WINDROW_PART_VDB = 1, WINDROW_PART_VULKAN = 2, WINDROW_PART_SCENE = 3 };
 /* 1 if this library has the part. */
@@ -52,7 +53,7 @@ enum {
 };
 
 /* The sentence of the last call in this thread that failed: what is wrong, its value, the fix; all reasons, one a line. UTF-8. It is
-   good until the next call of this thread that fails. Empty before the first. Functions that return a value in place of a result
+   good until the next call of this thread that fails. Empty before the first; at most 8191 bytes, whole lines. Functions that return a value in place of a result
    return 0 for a null handle, and the sentence says which argument is null. */
 WINDROW_C_API const char* windrow_last_error(void);
 

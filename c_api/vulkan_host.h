@@ -122,6 +122,9 @@ typedef struct windrow_vulkan_device_settings {
     windrow_vulkan_get_instance_proc_addr get_instance_proc_addr; /* null: the system's loader is opened */
     windrow_vulkan_message on_message;                            /* null: to the logger, as warnings */
     void* message_user;
+    const char* const* instance_extensions; /* of the instance, such as those of a window's surface; null: none */
+    uint32_t instance_extension_count;      /* default 0: a device that draws on no window needs none */
+    uint32_t reserved;                      /* 0 */
 } windrow_vulkan_device_settings;
 WINDROW_C_API windrow_result windrow_vulkan_device_settings_init(windrow_vulkan_device_settings* settings, uint32_t struct_size);
 

@@ -71,6 +71,10 @@ if(TARGET windrow_c)
   install(FILES ${PROJECT_SOURCE_DIR}/c_api/windrow.h DESTINATION ${header_dir})
   install(TARGETS windrow_c EXPORT windrow_c)
   set_target_properties(windrow_c PROPERTIES INSTALL_RPATH "$ORIGIN") # shared libraries of a BUILD_SHARED_LIBS build lie beside it
+  if(TARGET windrow_openvdb) # opened by the first call that writes a VDB file
+    install(TARGETS windrow_openvdb LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(windrow_openvdb PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif()
   list(APPEND components c)
 endif()
 

@@ -7,17 +7,29 @@
 #include "fluid/core/message.h"
 #include "fluid/saved_parts.h"
 
-#include <cstring>
-#include <string>
+#include <algorithm>
+#include <array>
 
 namespace windrow::c_api {
 namespace {
 
+/// Arrays alone, and no string: what a thread destroys at its end keeps the library loaded when a host unloads it.
 struct LastError {
-    std::string text;
-    const char* fixed = ""; ///< in place of `text`, where it is not null
+    std::array<char, 8192> text;
 };
-thread_local LastError last_error;
+thread_local constinit LastError last_error{};
+
+void keep(std::string_view sentence) noexcept {
+    constexpr std::string_view k_more = "\nFurther reasons are left out.";
+    auto& text = last_error.text;
+    const bool fits = sentence.size() < text.size();
+    if (!fits) { // whole lines
+        sentence = sentence.substr(0, text.size() - 1 - k_more.size());
+        sentence = sentence.substr(0, sentence.rfind('\n'));
+    }
+    auto* const end = std::copy(sentence.begin(), sentence.end(), text.data());
+    *(fits ? end : std::copy(k_more.begin(), k_more.end(), end)) = '\0';
+}
 
 struct Logger {
     windrow_logger log = nullptr;
@@ -33,12 +45,7 @@ void log(windrow_severity severity, const char* sentence) noexcept {
 } // namespace
 
 windrow_result fail(windrow_result result, std::string_view sentence) noexcept {
-    last_error.fixed = nullptr;
-    try {
-        last_error.text = sentence;
-    } catch (...) {
-        last_error.fixed = Error::k_out_of_memory;
-    }
+    keep(sentence);
     log(WINDROW_SEVERITY_ERROR, windrow_last_error());
     return result;
 }
@@ -97,7 +104,7 @@ WINDROW_EXPORT int32_t windrow_has_part(windrow_part part) {
 }
 
 WINDROW_EXPORT const char* windrow_last_error(void) {
-    return last_error.fixed != nullptr ? last_error.fixed : last_error.text.c_str();
+    return last_error.text.data();
 }
 
 WINDROW_EXPORT void windrow_set_logger(windrow_logger log, void* user) {

@@ -2,6 +2,7 @@
 #include "c_api/vdb.h"
 
 #include "c_api/source/tables.h"
+#include "c_api/source/vdb_library.h"
 #include "fluid/core/message.h"
 #include "fluid/vdb/film_grid.h"
 #include "fluid/vdb/vdb_export.h"
@@ -72,11 +73,15 @@ std::vector<Cpp> grids_of(const C* list, std::uint32_t number, std::uint64_t cou
     return grids;
 }
 
+/// Runs use(calls, options) with OpenVDB's library.
 template <class Use>
 windrow_result with_options(const windrow_vdb_options* options, const Use& use) {
+    const auto calls = vdb_calls();
+    if (!calls)
+        return fail(WINDROW_UNSUPPORTED, calls.error());
     if (options == nullptr)
-        return use(vdb::Options{});
-    return with(options, use);
+        return use(**calls, vdb::Options{});
+    return with(options, [&](const vdb::Options& wanted) { return use(**calls, wanted); });
 }
 
 /// Runs use(grid) on the cells of a wind.
@@ -133,20 +138,22 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_film(const windrow_wind* wind, c
         const Result<vdb::FilmGrid> grid = vdb::film_grid(*view, settings);
         if (!grid)
             return done(grid);
-        return with_options(options,
-                            [&](const vdb::Options& how) { return done_with(vdb::write(grid->grid, path_of(path), how)); });
+        return with_options(options, [&](const VdbCalls& openvdb, const vdb::Options& how) {
+            return done_with(openvdb.write(grid->grid, path_of(path), how));
+        });
     });
 }
 WINDROW_C_INIT(windrow_vdb_options)
 WINDROW_C_INIT(windrow_vdb_grid)
 WINDROW_EXPORT int32_t windrow_vdb_has_nanovdb(void) {
-    return vdb::has_nanovdb();
+    const auto calls = vdb_calls();
+    return calls && (*calls)->has_nanovdb();
 }
 WINDROW_EXPORT windrow_result windrow_vdb_write(const windrow_wind* wind, const char* path, const windrow_vdb_options* options) {
     return call({{wind, "wind"}, {path, "path"}}, [&] {
-        return with_options(options, [&](const vdb::Options& wanted) {
-            return with_grid(wind,
-                             [&](const vdb::VelocityGrid& grid) { return done_with(vdb::write(grid, path_of(path), wanted)); });
+        return with_options(options, [&](const VdbCalls& openvdb, const vdb::Options& wanted) {
+            return with_grid(
+                wind, [&](const vdb::VelocityGrid& grid) { return done_with(openvdb.write(grid, path_of(path), wanted)); });
         });
     });
 }
@@ -154,9 +161,10 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_frame(const windrow_wind* wind, 
                                                       int32_t digits, int32_t frame, double time,
                                                       const windrow_vdb_options* options) {
     return call({{wind, "wind"}, {folder, "folder"}, {prefix, "prefix"}}, [&] {
-        return with_options(options, [&](const vdb::Options& wanted) {
+        return with_options(options, [&](const VdbCalls& openvdb, const vdb::Options& wanted) {
             const vdb::Sequence sequence{.folder = path_of(folder), .prefix = prefix, .digits = digits, .options = wanted};
-            return with_grid(wind, [&](const vdb::VelocityGrid& grid) { return done_with(sequence.write(grid, frame, time)); });
+            return with_grid(
+                wind, [&](const vdb::VelocityGrid& grid) { return done_with(openvdb.write_frame(sequence, grid, frame, time)); });
         });
     });
 }
@@ -181,6 +189,8 @@ WINDROW_EXPORT windrow_result windrow_vdb_write_grid(const windrow_vdb_grid* gri
             return fail(WINDROW_REJECTED, "grid.scalars or grid.vectors is null: give as many as its count, or count 0.");
         wanted.scalars = grids_of<vdb::NamedScalar>(taken.scalars, taken.scalar_count, taken.count);
         wanted.vectors = grids_of<vdb::NamedVector>(taken.vectors, taken.vector_count, taken.count);
-        return with_options(options, [&](const vdb::Options& how) { return done_with(vdb::write(wanted, path_of(path), how)); });
+        return with_options(options, [&](const VdbCalls& openvdb, const vdb::Options& how) {
+            return done_with(openvdb.write(wanted, path_of(path), how));
+        });
     });
 }

@@ -260,6 +260,7 @@ void check_device(void) {
     windrow_vulkan_device_facts facts;
     windrow_vulkan_requirements requirements;
     windrow_vulkan_device* device = NULL;
+    const char *const surface = "VK_KHR_surface", *const no_such = "VK_KHR_no_such_extension";
     CHECK_OK(windrow_vulkan_requirements_init(&requirements, sizeof requirements));
     CHECK(requirements.shared_bytes == 16384 && strcmp(windrow_vulkan_result_name(0), "VK_SUCCESS") == 0);
     if (windrow_vulkan_device_list_create(&list) != WINDROW_OK) {
@@ -274,6 +275,12 @@ void check_device(void) {
     windrow_vulkan_device_list_destroy(list);
     CHECK_OK(windrow_vulkan_device_settings_init(&settings, sizeof settings));
     settings.validation = windrow_vulkan_has_validation_layer();
+    /* of the instance: one that no driver has is rejected, one that all have is taken */
+    settings.instance_extension_count = 1;
+    CHECK_FAILS(windrow_vulkan_device_create(&settings, &device), WINDROW_REJECTED, "instance_extensions is null");
+    settings.instance_extensions = &no_such;
+    CHECK(windrow_vulkan_device_create(&settings, &device) != WINDROW_OK && device == NULL);
+    settings.instance_extensions = &surface;
     CHECK_OK(windrow_vulkan_device_create(&settings, &device));
     check_device_wind(device);
     check_read_backs(device);

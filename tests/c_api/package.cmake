@@ -11,6 +11,9 @@ run("Running" ${WORK}/build/outside)
 if(NOT output MATCHES "^[0-9.]+ m/s at the leaf\n$")
   message(FATAL_ERROR "The outside program prints: ${output}")
 endif()
+# The installed library alone, and the one with OpenVDB beside it.
+file(GLOB_RECURSE library ${WORK}/prefix/libwindrow.so ${WORK}/prefix/libwindrow.dylib)
+run("Loading the installed library" ${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/library_test.py --guest ${CMAKE_CURRENT_LIST_DIR}/../../c_api ${library})
 # The same without CMake.
 file(GLOB_RECURSE pc ${WORK}/prefix/windrow-c.pc)
 cmake_path(GET pc PARENT_PATH pc)

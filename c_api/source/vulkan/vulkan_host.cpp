@@ -4,6 +4,7 @@
 #include "c_api/source/vulkan/vulkan_tables.h"
 #include "fluid/core/message.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,15 @@ WINDROW_C_STRUCT_BUT(5, windrow_vulkan_device_settings, vulkan::OwnDevice::Setti
                      queue_without, compute_queue, get_instance_proc_addr);
 
 void read_rest(Reasons& reasons, const Path& path, const windrow_vulkan_device_settings& from, vulkan::OwnDevice::Settings& to) {
-    if (from.extension_count > 0 && from.extensions == nullptr)
-        reasons.add(path, ".extensions is null: give ", from.extension_count, " names.");
-    else
-        to.extensions.assign(from.extensions, from.extensions + from.extension_count);
+    const auto read_names = [&](const char* field, const char* const* names, std::uint32_t count,
+                                std::vector<const char*>& list) {
+        if (count > 0 && (names == nullptr || std::find(names, names + count, nullptr) != names + count))
+            reasons.add(path, field, " is null, or one of them is: give ", count, " names.");
+        else
+            list.assign(names, names + count);
+    };
+    read_names(".extensions", from.extensions, from.extension_count, to.extensions);
+    read_names(".instance_extensions", from.instance_extensions, from.instance_extension_count, to.instance_extensions);
     if (from.wished != nullptr)
         to.wished = *static_cast<const VkPhysicalDeviceFeatures*>(from.wished);
     to.next = from.next;

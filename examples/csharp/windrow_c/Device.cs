@@ -124,7 +124,8 @@ namespace Windrow
         public uint Queue, QueueWithout;
         public int ComputeQueue;
         public uint ExtensionCount;
-        public IntPtr Extensions, Wished, Next, GetInstanceProcAddr, OnMessage, MessageUser;
+        public IntPtr Extensions, Wished, Next, GetInstanceProcAddr, OnMessage, MessageUser, InstanceExtensions;
+        public uint InstanceExtensionCount, Reserved;
         public static VulkanDeviceSettings Default() { return Native.Filled<VulkanDeviceSettings>(windrow_vulkan_device_settings_init); }
         [DllImport(Native.Library)] private static extern int windrow_vulkan_device_settings_init(out VulkanDeviceSettings it, uint size);
     }

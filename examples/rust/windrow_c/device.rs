@@ -105,7 +105,8 @@ pub struct VulkanDeviceSettings {
     pub struct_size: u32, pub device: i32, pub validation: i32, pub gpu_validation: i32, pub queue: u32,
     pub queue_without: u32, pub compute_queue: i32, pub extension_count: u32, pub extensions: *const *const c_char,
     pub wished: *const c_void, pub next: *const c_void, pub get_instance_proc_addr: VulkanGetInstanceProcAddr,
-    pub on_message: VulkanMessage, pub message_user: *mut c_void,
+    pub on_message: VulkanMessage, pub message_user: *mut c_void, pub instance_extensions: *const *const c_char,
+    pub instance_extension_count: u32, pub reserved: u32,
 }
 
 #[repr(C)]
@@ -161,7 +162,7 @@ const _: () = {
     assert!(size_of::<VdbVector>() == 24); assert!(size_of::<VdbGrid>() == 112); assert!(size_of::<VdbFilm>() == 88);
     assert!(size_of::<VulkanMemory>() == 32); assert!(size_of::<VulkanHost>() == 128);
     assert!(size_of::<VulkanRequirements>() == 24); assert!(size_of::<VulkanDeviceFacts>() == 40);
-    assert!(size_of::<VulkanDeviceSettings>() == 80); assert!(size_of::<VulkanSettings>() == 56);
+    assert!(size_of::<VulkanDeviceSettings>() == 96); assert!(size_of::<VulkanSettings>() == 56);
     assert!(size_of::<VulkanFrame>() == 48); assert!(size_of::<VulkanTexture>() == 16);
     assert!(size_of::<VulkanTextures>() == 64); assert!(size_of::<VulkanExportedImage>() == 56);
     assert!(size_of::<VulkanSetContent>() == 160); assert!(size_of::<VulkanPass>() == 24);

@@ -86,7 +86,8 @@ class VulkanDeviceSettings(c.Structure):
                 ("gpu_validation", c.c_int32), ("queue", c.c_uint32), ("queue_without", c.c_uint32),
                 ("compute_queue", c.c_int32), ("extension_count", c.c_uint32), ("extensions", P(c.c_char_p)),
                 ("wished", c.c_void_p), ("next", c.c_void_p), ("get_instance_proc_addr", VulkanGetInstanceProcAddr),
-                ("on_message", VulkanMessage), ("message_user", c.c_void_p)]
+                ("on_message", VulkanMessage), ("message_user", c.c_void_p), ("instance_extensions", P(c.c_char_p)),
+                ("instance_extension_count", c.c_uint32), ("reserved", c.c_uint32)]
 
 
 class VulkanSettings(c.Structure):
