@@ -110,6 +110,27 @@ WINDROW_C_API windrow_result windrow_set_allocator(windrow_allocate allocate, wi
 /* [bytes] Held from the allocator now. */
 WINDROW_C_API uint64_t windrow_allocated_bytes(void);
 
+/* Which way the host's x, y, z point. In all of them x is the library's x. */
+typedef int32_t windrow_axes;
+enum {
+    WINDROW_AXES_Y_UP_RIGHT = 0, /* the library's own, Godot's: right-handed */
+    WINDROW_AXES_Y_UP_LEFT = 1,  /* Unity's: z is the library's -z */
+    WINDROW_AXES_Z_UP_RIGHT = 2, /* Blender's: y is the library's -z */
+    WINDROW_AXES_Z_UP_LEFT = 3   /* Unreal's: y is the library's z */
+};
+/* The host's axes, and its unit of length [m], 1e-6 to 1e6; default: the library's own axes and 1. From then on every call speaks them:
+   what the headers give in m is in the unit, m/s in units a second, m^2 in square units, N in kg units/s^2, Pa in kg/(unit s^2). Init
+   functions fill in defaults for the unit; "y", "height" and "low y face" of a comment are what points up. Axes of rotation, spins and
+   moments follow the screw of the host. Set them before the first struct is filled, while no other thread is inside the library.
+   Objects, snapshots, logs, scenes and files do not depend on them, so that hosts of other axes load them.
+   The library's own, in metres, stay: arrays and views of cells and texels (windrow_wind_field, windrow_wind_set_field,
+   windrow_wind_write_vectors, tracers, windrow_ground_texels, the fields of operators.h, windrow_vdb_grid, what a device reads back,
+   and the origin that comes with them), the blocks and textures of shaders, and the values that a sentence of an error names. */
+WINDROW_C_API windrow_result windrow_set_axes(windrow_axes axes, double unit);
+/* From a place of the host to the library's own [m], for shaders and arrays of cells: 16 numbers, column by column; its inverse takes
+   a velocity of the library's to the host's. */
+WINDROW_C_API windrow_result windrow_axes_matrix(double* matrix);
+
 /* A host's parallel loop: calls task(argument, i) once for each i in [0, count), in any order and on any threads, and returns when all
    are done. It must not throw. Results do not depend on the number of threads. */
 typedef void (*windrow_task)(void* argument, int32_t index);

@@ -39,7 +39,7 @@ WINDROW_C_API windrow_result windrow_workspace_set_boundaries(windrow_workspace*
 /* The wind beyond open boundaries. */
 WINDROW_C_API windrow_result windrow_workspace_set_ambient(windrow_workspace* work, windrow_vec3 ambient);
 /* Replaces the obstacles that every operator sees: `count` of them, one after the other, at most 65,535. Positions are relative to the
-   box's low corner. `velocities` [m/s] and `spins` [rad/s], one for each, may be null: at rest. */
+   box's corner that is low in the library's own axes (windrow_set_axes). `velocities` [m/s] and `spins` [rad/s], one for each, may be null: at rest. */
 WINDROW_C_API windrow_result windrow_workspace_set_obstacles(windrow_workspace* work, const windrow_obstacle* obstacles,
                                                              const windrow_vec3* velocities, const windrow_vec3* spins,
                                                              uint64_t count);

@@ -20,6 +20,7 @@ import re
 import sys
 import textwrap
 
+import c_kinds
 import mirrors
 import python_classes
 from c_header import Header, common, fields_of
@@ -218,6 +219,13 @@ def declarations(body):
     return found
 
 
+def comments_of(headers):
+    """{struct.field: comment} of the texts of headers."""
+    return {f"{found.group(1)}.{next(iter(fields_of(declaration)))[1]}": said for text in headers.values()
+            for found in re.finditer(r"typedef struct (windrow_\w+) \{\n(.*?)\} \1;\n", text, flags=re.DOTALL)
+            for declaration, said in declarations(found.group(2))}
+
+
 def between(text, made, name):
     """A text with what is between its marks replaced."""
     found = re.fullmatch(rf"(.*\n{re.escape(BEGIN)}[^\n]*\n).*?(\n?{re.escape(END)}.*)", text, flags=re.DOTALL)
@@ -235,6 +243,8 @@ def made_files(root, tables=None):
     for name, parts in LISTS.items():
         path = root / "c_api/source" / name
         files[path] = between(path.read_text(encoding="utf-8"), interface.lists(parts), name)
+    for name, text in c_kinds.made(interface.parsed, comments_of(interface.headers)).items():
+        files[root / "c_api/source" / name] = text
     for name, text in mirrors.mirrors(interface.parsed).items():
         files[root / name] = text
     package = root / "bindings/python/windrow"
@@ -250,7 +260,7 @@ def main():
     options = parser.parse_args()
     try:
         files = made_files(options.root)
-    except Fault as fault:
+    except (Fault, c_kinds.Fault) as fault:
         sys.exit(f"make_bindings.py: {fault}")
     other = [path for path, text in files.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
     for path in other:

@@ -52,7 +52,8 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from . import _c
-from ._values import IVec3, Quat, Settings, Stage, Vec2, Vec3
+from ._library import library
+from ._values import IVec3, Quat, Settings, Stage, Vec2, Vec3, metre
 from .forms import {forms}
 
 infinity = float("inf")
@@ -66,7 +67,7 @@ OPEN_OVER_FLOOR = '''
     @staticmethod
     def open_over_floor() -> Boundaries:
         """Open air over a free-slip floor."""
-        return Boundaries(y_low=Boundary(kind="free_slip"))
+        return Boundaries._from_c(library.windrow_boundaries_open_over_floor())
 '''
 
 
@@ -170,6 +171,7 @@ class Classes:
                 default = DEFAULTS[f"{title}.{field}"]
                 made = "(" in default and not default.startswith("(")
             if made:
+                default = re.sub(r"^Drive\((\S+), ", r"Drive(\1 * metre(), ", default)  # a speed, in the host's unit
                 default = f"field(default_factory={default[:-2]})" if default.endswith("()") else f"field(default_factory=lambda: {default})"
             fields += f"    {field}: {annotation} = {default}\n"
             comment = self._said(row, said.get(field, ""))

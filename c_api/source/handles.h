@@ -62,6 +62,7 @@ struct windrow_wind {
         windrow_canopy canopy;
         windrow_roughness roughness;
         windrow_rows rows;
+        std::vector<float> heights;
     };
     std::unique_ptr<ConfigStore> config_store;
 

@@ -237,8 +237,11 @@ WINDROW_EXPORT windrow_result windrow_wind_config(windrow_wind* wind, windrow_co
             keep(*from.canopy, store.canopy, all.canopy);
         if (from.roughness)
             keep(*from.roughness, store.roughness, all.roughness);
-        if (from.rows)
+        if (from.rows) {
             keep(*from.rows, store.rows, all.rows);
+            store.heights = from.rows->heights; // a copy, which the host may get in its unit
+            store.rows.heights = store.heights.data();
+        }
         give(all, config);
         return WINDROW_OK;
     });

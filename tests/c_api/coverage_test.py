@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""coverage_test.py ROOT: every public function of the C++ API has a function of the C API, or a reason in coverage.txt."""
+"""coverage_test.py ROOT: every public function of the C++ API has a function of the C API, or a reason in coverage.txt. Every number of a
+call has a kind for hosts of other axes (tools/c_kinds.py), and every call that converts is in a story of axes_*_test.cpp."""
 import pathlib
 import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools"))
+import c_kinds
 from c_header import Header
+from make_bindings import comments_of
 
 NO_NAMES = {"if", "while", "for", "return", "sizeof", "alignof", "static_assert", "requires", "noexcept", "defined", "operator", "decltype",
             "explicit", "assert"}
@@ -97,12 +100,29 @@ def check(root, text):
     return count, faults
 
 
+def converted(root, more=""):
+    """Faults of the calls that convert to the host's axes. `more`: text of one header more."""
+    headers = {path.name: path.read_text(encoding="utf-8") for path in sorted((root / "c_api").glob("*.h"))} | {"more.h": more}
+    try:
+        calls = c_kinds.Kinds(Header(headers), comments_of(headers)).calls()
+    except c_kinds.Fault as fault:
+        return [str(fault)]
+    stories = "".join(path.read_text(encoding="utf-8") for path in sorted((root / "tests/c_api").glob("axes*")))
+    return [f"{call} converts to the host's axes, and no story of tests/c_api/axes_*_test.cpp calls it"
+            for call in [*calls, *c_kinds.HAND_CALLS] if f"{call}(" not in stories]
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     text = (pathlib.Path(__file__).parent / "coverage.txt").read_text(encoding="utf-8")
     count, faults = check(root, text)
     # The checker sees a call that is missing.
     blind = [] if check(root, text.replace("\nset_floor windrow_wind_set_floor\n", "\n", 1))[1] else ["a missing line is not found"]
+    faults += converted(root)
+    for what, more in {"a number": "WINDROW_C_API windrow_result windrow_new(float mystery);", "a result": "WINDROW_C_API float windrow_new(void);",
+                       "a field": "typedef struct windrow_made {\n    windrow_vec3 mystery;\n} windrow_made;\n",
+                       "a call without a story": "WINDROW_C_API windrow_result windrow_new(float radius);"}.items():
+        blind += [] if converted(root, more) else [f"{what} without a kind is not found"]
     print(f"{count} functions of C++")
     print("\n".join(faults + blind))
     sys.exit(1 if faults or blind else 0)

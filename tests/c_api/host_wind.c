@@ -214,6 +214,31 @@ void check_wind(void) {
     CHECK_FAILS(windrow_wind_create(&config, &wind), WINDROW_REJECTED, "heights is null");
 }
 
+/* The same structs of older and newer hosts, with other axes and another unit. */
+static void check_sizes_in_centimetres(void) {
+    windrow_config config;
+    windrow_wind* wind = NULL;
+    static char larger[sizeof(windrow_config) + 8];
+    CHECK_OK(windrow_set_axes(WINDROW_AXES_Z_UP_LEFT, 0.01));
+    CHECK_OK(windrow_config_init(&config, sizeof config));
+    CHECK(config.cell_size == 100.0f && config.cells.y == 32 && config.cells.z == 16);
+    config.struct_size = offsetof(windrow_config, scheme);
+    config.scheme = 300; /* beyond its end */
+    CHECK_OK(windrow_wind_create(&config, &wind));
+    config.floor = 12345.0; /* likewise */
+    CHECK_OK(windrow_wind_config(wind, &config));
+    CHECK(config.scheme == 300 && config.floor == 12345.0 && config.cells.z == 16);
+    windrow_wind_destroy(wind);
+    config.struct_size = 0;
+    CHECK_FAILS(windrow_config_validate(&config), WINDROW_REJECTED, "call windrow_config_init");
+    memset(larger, 0, sizeof larger);
+    CHECK_OK(windrow_config_init((windrow_config*)(void*)larger, sizeof larger));
+    CHECK_OK(windrow_config_validate((windrow_config*)(void*)larger));
+    larger[sizeof(windrow_config) + 3] = 1;
+    CHECK_FAILS(windrow_config_validate((windrow_config*)(void*)larger), WINDROW_REJECTED, "does not have");
+    CHECK_OK(windrow_set_axes(WINDROW_AXES_Y_UP_RIGHT, 1.0));
+}
+
 void check_errors(void) {
     windrow_config config = small_config();
     windrow_wind *wind = (windrow_wind*)&config, *loaded = wind;
@@ -258,6 +283,8 @@ void check_errors(void) {
     CHECK_FAILS(windrow_config_validate(&config), WINDROW_REJECTED, "call windrow_config_init");
     memset(&diagnostics, 0, sizeof diagnostics);
     CHECK_FAILS(windrow_wind_step(wind, 0.1, &diagnostics), WINDROW_REJECTED, "call windrow_diagnostics_init");
+
+    check_sizes_in_centimetres();
 
     CHECK_FAILS(windrow_wind_step(wind, -1.0, NULL), WINDROW_REJECTED, "dt is -1");
     CHECK_FAILS(windrow_wind_advance(wind, HUGE_VAL, NULL, NULL), WINDROW_REJECTED, "dt is inf");

@@ -64,13 +64,13 @@ def check_csharp_layout(args):
 
 
 def check_csharp_axes(args, environment):
-    """A host in an engine's axes and unit: EngineAxes against the files that engines read."""
+    """A host in an engine's axes and unit: windrow_set_axes against the files that engines read."""
     program = args.work / "engines.exe"
     sources = [path for path in (args.examples / "csharp").rglob("*.cs") if path.name != "FollowPlayer.cs"]
     build([tool("mcs", "mono-mcs"), "-warnaserror", f"-out:{program}", pathlib.Path(__file__).with_name("Engines.cs"), *sources])
     code, out, err = run([tool("mono", "mono-runtime"), program, args.work], env=environment)
     print(out, end="")
-    if code != 0 or out.count("well: ") != 7:
+    if code != 0 or out.count("well: ") != 8:
         sys.exit(f"engines.exe ends with {code}: {err}")
 
 

@@ -21,6 +21,7 @@ LENGTHS = {
     "windrow_mesh_create": {"vertices": "vertex_count", "indices": "3 * triangle_count"},
     "windrow_height_map_create_with_holes": {"heights": "count", "open": "cell_count"},
     "windrow_workspace_set_obstacles": {"obstacles": "count", "velocities": "count", "spins": "count"},
+    "windrow_axes_matrix": {"matrix": "16"},
     "windrow_spring_bands": {"bands": "4"},
     "windrow_swing_steps_make": {"blocks": "4"},
     **{f"windrow_shells_{what}_many": {name: "entries_of(skin)" for name in ("winds", "loads", "directions", "positions")}

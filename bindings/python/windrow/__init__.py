@@ -11,12 +11,13 @@
         wind.advance(1 / 60)
     print(wind.velocity((4, 0.5, 1)))
 
-Right-handed, y up, metres and seconds. Fields are arrays of numpy's, indexed [z, y, x, component]. What cannot be done is a WindrowError
+Right-handed, y up, metres and seconds, unless `set_axes` says otherwise. Fields are arrays of numpy's, indexed [z, y, x, component]. What cannot be done is a WindrowError
 with one sentence.
 """
 from ._library import WindrowError, WindrowWarning, library as _c_library
 from ._values import Stage
 from ._version import __version__
+from .axes import matrix, set_axes
 from .forms import (AlignedBox, Block, Capsule, Cone, Cylinder, Drive, Force, Ground, GustTile, HeightMap, MeshShape, Plate, Sphere,
                     TriangleMesh, VoxelGrid, VoxelShape, WakeDrive, WakeForce)
 from .operators import Workspace

@@ -76,6 +76,13 @@ def _no_number(name: str, value: Any) -> float:
     raise WindrowError(f"{name} is {value!r}: give a number.")
 
 
+def metre() -> float:
+    """In the host's unit of length (set_axes)."""
+    numbers = (ctypes.c_double * 16)()
+    check(library.windrow_axes_matrix(numbers))
+    return 1.0 / float(numbers[0])
+
+
 def whole(name: str, value: Any, least: int = 0, most: int = 2**31 - 1) -> int:
     try:
         found = operator.index(value)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, library, taken_bytes
-from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, as_array, data, number, of_class, view, whole
+from ._values import Floats, Form, Vec2, Vec3, _choice, _numbers, as_array, data, metre, number, of_class, view, whole
 
 _ONE = _c.Vec3(1.0, 1.0, 1.0)
 
@@ -81,14 +81,14 @@ class VoxelGrid(Shared):
 
 
 class HeightMap(Shared):
-    """Heights [m] at the corners of a grid, indexed [z, x], `spacing` metres apart.
+    """Heights [m] at the corners of a grid, indexed [z, x] (a host with z up: [y, x]), `spacing` apart; None: 1 m.
 
     `holes`, indexed [z, x] too, is a grid of cells that covers the map whole: what is not 0 has no ground to any depth.
     """
 
-    def __init__(self, heights: npt.ArrayLike, spacing: float = 1.0, holes: npt.ArrayLike | None = None) -> None:
+    def __init__(self, heights: npt.ArrayLike, spacing: float | None = None, holes: npt.ArrayLike | None = None) -> None:
         numbers = np.ascontiguousarray(as_array("heights", heights), np.float32)
-        spacing = number("spacing", spacing)
+        spacing = metre() if spacing is None else number("spacing", spacing)
         if numbers.ndim != 2:
             raise WindrowError(f"heights have shape {numbers.shape}: give two axes, [z, x].")
         corners = _c.IVec2(*numbers.shape[::-1])
@@ -267,8 +267,7 @@ class Plate(Form):
     half_size: Vec2 = (1.0, 1.0)
 
     def _shape(self, keep: list[Any]) -> Any:
-        half = _numbers("half_size", self.half_size, _c.Vec2)
-        return _c.Shape(kind=_c.SHAPE_PLATE, half_size=_c.Vec3(half.x, half.y, 0.0), scale=_ONE)
+        return library.windrow_shape_plate(_numbers("half_size", self.half_size, _c.Vec2))
 
 
 @dataclass(slots=True)

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, check, library
+from .axes import own_order
 from ._values import Floats, Vec3, _choice, _numbers, aligned, field, number, of_class, scalars, whole
 from .settings import Boundaries, Config, DiffusionMethod, Interpolation, Obstacle
 from .wind import ThreadPool
@@ -41,7 +42,7 @@ class Workspace:
         self._handle = Handle(lambda out: library.windrow_workspace_create(ctypes.byref(struct), out), "windrow_workspace_destroy",
                               *([pool._handle] if pool else []))
         self._work = self._handle.pointer
-        self._grid = (struct.cells.z, struct.cells.y, struct.cells.x)
+        self._grid = own_order(config.cells)
         self._count = int(np.prod(self._grid))
 
     def set_boundaries(self, boundaries: Boundaries) -> None:
@@ -54,7 +55,8 @@ class Workspace:
 
     def set_obstacles(self, obstacles: Sequence[Obstacle], velocities: Sequence[Vec3] | None = None,
                       spins: Sequence[Vec3] | None = None) -> None:
-        """Replaces the obstacles that every operator sees. Positions are relative to the box's low corner.
+        """Replaces the obstacles that every operator sees. Positions are relative to the box's corner that is low
+        in the library's own axes.
 
         `velocities` [m/s] and `spins` [rad/s], one for each; None: at rest.
         """

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from . import _c
-from ._values import IVec3, Quat, Settings, Stage, Vec2, Vec3
+from ._library import library
+from ._values import IVec3, Quat, Settings, Stage, Vec2, Vec3, metre
 from .forms import Block, Drive, GustTile, HeightMap, Law, Region, Shape, Sphere, WakeDrive, WakeLaw
 
 infinity = float("inf")
@@ -93,7 +94,7 @@ class Boundaries(Settings):
     @staticmethod
     def open_over_floor() -> Boundaries:
         """Open air over a free-slip floor."""
-        return Boundaries(y_low=Boundary(kind="free_slip"))
+        return Boundaries._from_c(library.windrow_boundaries_open_over_floor())
 
 
 @dataclass(kw_only=True, slots=True)
@@ -452,7 +453,7 @@ class JetMotor(Settings):
     """[m] A number above 0, at most 1e6. Radius at the nozzle."""
     end_radius: float = 1.5
     """[m] A number above 0, at most 1e6. Radius at the end; equal to start_radius: a cylinder."""
-    law: Law = field(default_factory=lambda: Drive(12.0, 8.0))
+    law: Law = field(default_factory=lambda: Drive(12.0 * metre(), 8.0))
     """Law of its action on the air, at the nozzle."""
     envelope: Envelope = field(default_factory=Envelope)
     """Strength over time."""
@@ -477,7 +478,7 @@ class VortexMotor(Settings):
     """[m] A number above 0, at most 1e6. Along the axis, from the middle to each end."""
     lift: float = 0.0
     """-10 to 10. Speed along the axis in the middle over the swirl. A dust devil has about 0.5."""
-    law: Law = field(default_factory=lambda: Drive(8.0, 8.0))
+    law: Law = field(default_factory=lambda: Drive(8.0 * metre(), 8.0))
     """Law of its action on the air, where it is fastest."""
     envelope: Envelope = field(default_factory=Envelope)
     """Strength over time."""

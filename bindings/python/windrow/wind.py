@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _c
 from ._library import Handle, WindrowError, check, fail, library, taken_bytes
+from .axes import matrix, own_order
 from ._values import Floats, Quat, Vec3, _choice, _numbers, as_array, data, field, number, of_class, pointer, text, view, whole
 from .settings import (Advance, BeltDrag, Boundaries, Box, Config, Diagnostics, DirectionalMotor, DragForce, Gusts, JetMotor,
                        Obstacle, ObstacleForce, OmniMotor, PlantDrag, PressureMotor, Sampling, VortexMotor, WakeMotor)
@@ -326,8 +327,7 @@ class Wind:
         self.motors = Motors(handle)
         self.obstacles = Obstacles(handle)
         self.drag = DragField(handle)
-        cells = self.box.cells  # for good
-        self._cells = (cells[2], cells[1], cells[0])
+        self._cells = own_order(self.box.cells)  # for good
 
     def __reduce__(self) -> Any:
         """Copies and pickles are winds of their own, which go on from here, without a pool and a log."""
@@ -371,13 +371,16 @@ class Wind:
         return Box._from_c(struct)
 
     def centres(self) -> npt.NDArray[np.float64]:
-        """[m] World positions of the cells' centres, indexed [z, y, x, component]. Rows of one thickness alone."""
-        box = self.box
-        if not np.isclose(box.size[1], box.cell_size * box.cells[1], rtol=1e-5):
+        """[m] World positions of the cells' centres, indexed [z, y, x, component] as a field. Rows of one thickness alone."""
+        box, turn = self.box, matrix()[:3, :3]
+        if not np.allclose(box.size, np.multiply(box.cell_size, box.cells), rtol=1e-5):
             raise WindrowError("the box has rows of unequal thickness: centres are those of Config.rows.")
-        axes = [box.origin[n] + (np.arange(box.cells[n]) + 0.5) * box.cell_size for n in range(3)]
+        cells = self._grid()[::-1]
+        ends = np.array([box.origin, np.add(box.origin, box.size)]) @ turn.T  # two opposite corners in the library's own axes [m]
+        low, step = ends.min(axis=0), np.ptp(ends, axis=0) / cells
+        axes = [low[n] + (np.arange(cells[n]) + 0.5) * step[n] for n in range(3)]
         z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
-        return np.stack([x, y, z], axis=-1)
+        return np.stack([x, y, z], axis=-1) @ np.linalg.inv(turn).T
 
     @property
     def ambient(self) -> tuple[float, float, float]:
@@ -530,17 +533,18 @@ class Wind:
         check(library.windrow_wind_write_scene(self._wind, text("path", path), number("duration", duration), number("tick_hz", tick_hz)))
 
     def debug_lines(self, *, box: bool = True, motors: bool = True, obstacles: bool = True, arrows: int = 16, seconds: float = 0.2,
-                    height: float = 1.0) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], npt.NDArray[np.float32]]:
+                    height: float | None = None) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.int32], npt.NDArray[np.float32]]:
         """Lines of a debug view: ends [m] of shape (n, 2, 3), what each belongs to, and the speed [m/s] of the wind at an arrow's foot.
 
         0 is the box, 1 a motor, 2 an obstacle, 3 an arrow. `arrows` along the longer level axis, 0 (none) to 256; `seconds`: an arrow is as
-        long as the way of the air in this time, above 0; `height` [m] of the arrows above the box's low face.
+        long as the way of the air in this time, above 0; `height` [m] of the arrows above the box's low face; None: 1 m.
         """
         wanted = _c.DebugView()
         check(library.windrow_debug_view_init(ctypes.byref(wanted), ctypes.sizeof(wanted)))
         wanted.box, wanted.motors, wanted.obstacles = int(box), int(motors), int(obstacles)
         wanted.arrows, wanted.seconds = whole("arrows", arrows, 0, 256), number("seconds", seconds)
-        wanted.height = number("height", height)
+        if height is not None:
+            wanted.height = number("height", height)
         ends: list[tuple[float, ...]] = []
         kinds: list[int] = []
         speeds: list[float] = []

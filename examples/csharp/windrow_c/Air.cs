@@ -8,6 +8,7 @@ namespace Windrow
     public enum Result { Ok = 0, Rejected = -1, Stale = -2, OutOfMemory = -3, CannotWrite = -4, DiskFull = -5,
         Unsupported = -6, NotReady = -7, DeviceLost = -9, Unexpected = -8 }
     public enum Severity { Warning = 0, Error = 1 }
+    public enum Axes { YUpRight = 0, YUpLeft = 1, ZUpRight = 2, ZUpLeft = 3 }
     public enum BoundaryKind { Open = 0, FreeSlip = 1, NoSlip = 2, Periodic = 3 }
     public enum Scheme { SecondOrder = 0, StableFluids = 1 }
     public enum Interpolation { Linear = 0, Cubic = 1 }
@@ -471,6 +472,10 @@ namespace Windrow
         public static extern Result windrow_set_allocator(IntPtr allocate, IntPtr release, IntPtr user);
         [DllImport(Native.Library)]
         public static extern ulong windrow_allocated_bytes();
+        [DllImport(Native.Library)]
+        public static extern Result windrow_set_axes(Axes axes, double unit);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_axes_matrix(IntPtr matrix);
         [DllImport(Native.Library)]
         public static extern Result windrow_thread_pool_create(int threads, IntPtr pool);
         [DllImport(Native.Library)]

@@ -10,6 +10,8 @@ pub const STALE: ResultCode = -2; pub const OUT_OF_MEMORY: ResultCode = -3; pub 
 pub const DISK_FULL: ResultCode = -5; pub const UNSUPPORTED: ResultCode = -6; pub const NOT_READY: ResultCode = -7;
 pub const DEVICE_LOST: ResultCode = -9; pub const UNEXPECTED: ResultCode = -8;
 pub type Severity = i32; pub const SEVERITY_WARNING: Severity = 0; pub const SEVERITY_ERROR: Severity = 1;
+pub type Axes = i32; pub const AXES_Y_UP_RIGHT: Axes = 0; pub const AXES_Y_UP_LEFT: Axes = 1;
+pub const AXES_Z_UP_RIGHT: Axes = 2; pub const AXES_Z_UP_LEFT: Axes = 3;
 pub type BoundaryKind = i32; pub const BOUNDARY_OPEN: BoundaryKind = 0; pub const BOUNDARY_FREE_SLIP: BoundaryKind = 1;
 pub const BOUNDARY_NO_SLIP: BoundaryKind = 2; pub const BOUNDARY_PERIODIC: BoundaryKind = 3;
 pub type Scheme = i32; pub const SCHEME_SECOND_ORDER: Scheme = 0; pub const SCHEME_STABLE_FLUIDS: Scheme = 1;
@@ -375,6 +377,8 @@ extern "C" {
     pub fn windrow_set_logger(logger: Logger, user: *mut c_void);
     pub fn windrow_set_allocator(allocate: Allocate, release: Release, user: *mut c_void) -> ResultCode;
     pub fn windrow_allocated_bytes() -> u64;
+    pub fn windrow_set_axes(axes: Axes, unit: f64) -> ResultCode;
+    pub fn windrow_axes_matrix(matrix: *mut f64) -> ResultCode;
     pub fn windrow_thread_pool_create(threads: i32, pool: *mut *mut c_void) -> ResultCode;
     pub fn windrow_thread_pool_destroy(pool: *mut c_void);
     pub fn windrow_thread_pool_size(pool: *const c_void) -> i32;

@@ -6,6 +6,7 @@ PART_COUPLING = 0; PART_VDB = 1; PART_VULKAN = 2; PART_SCENE = 3
 OK = 0; REJECTED = -1; STALE = -2; OUT_OF_MEMORY = -3; CANNOT_WRITE = -4; DISK_FULL = -5; UNSUPPORTED = -6;
 NOT_READY = -7; DEVICE_LOST = -9; UNEXPECTED = -8
 SEVERITY_WARNING = 0; SEVERITY_ERROR = 1
+AXES_Y_UP_RIGHT = 0; AXES_Y_UP_LEFT = 1; AXES_Z_UP_RIGHT = 2; AXES_Z_UP_LEFT = 3
 BOUNDARY_OPEN = 0; BOUNDARY_FREE_SLIP = 1; BOUNDARY_NO_SLIP = 2; BOUNDARY_PERIODIC = 3
 SCHEME_SECOND_ORDER = 0; SCHEME_STABLE_FLUIDS = 1
 INTERPOLATION_LINEAR = 0; INTERPOLATION_CUBIC = 1
@@ -269,6 +270,8 @@ AIR = [
     ("windrow_set_logger", None, Logger, c.c_void_p),
     ("windrow_set_allocator", c.c_int32, Allocate, Release, c.c_void_p),
     ("windrow_allocated_bytes", c.c_uint64),
+    ("windrow_set_axes", c.c_int32, c.c_int32, c.c_double),
+    ("windrow_axes_matrix", c.c_int32, P(c.c_double)),
     ("windrow_thread_pool_create", c.c_int32, c.c_int32, P(c.c_void_p)),
     ("windrow_thread_pool_destroy", None, c.c_void_p),
     ("windrow_thread_pool_size", c.c_int32, c.c_void_p),
