@@ -24,7 +24,8 @@ HAND = "hand"  # c_api/source/axes.cpp
 # Structs that go with arrays of cells or are read by shaders.
 OWN_STRUCTS = {"windrow_transport", "windrow_scalar_transport", "windrow_vdb_grid", "windrow_vdb_scalar", "windrow_vdb_vector"}
 OWN_HEADERS = {"shader_blocks.h"}
-PLANT_HEADERS = {"plants.h", "motion.h", "vulkan_host.h", "vulkan_wind.h", "vulkan_ground.h"}
+PARTS = {"axes_plant_calls.inl": {"plants.h", "motion.h", "vulkan_host.h", "vulkan_wind.h", "vulkan_ground.h"},
+         "axes_body_calls.inl": {"motors.h", "obstacles.h", "drag.h", "operators.h"}}  # all others: axes_calls.inl
 HAND_STRUCTS = {"windrow_boundaries", "windrow_box"}
 FIELDS = {
     "windrow_uniform_gust.direction": "Vector<0>", "windrow_directional_motor.direction": "Vector<0>", "windrow_jet_motor.direction": "Vector<0>",
@@ -223,17 +224,17 @@ class Kinds:
     def _order(self):
         return sorted(self.header.structs, key=lambda struct: (self.header.file_of[struct], list(self.header.structs).index(struct)))
 
-    def source(self, of_plants):
-        """`of_plants`: those of plants.h, motion.h and devices, else all others."""
+    def source(self, file):
         text = (f"// {COMMENT}\n// Each call that converts: what goes in, the call itself, what comes out.\n\n")
         for call, (kinds, answer) in self.calls().items():
-            if of_plants != (self.header.file_of[call] in PLANT_HEADERS):
+            if file != next((part for part, headers in PARTS.items() if self.header.file_of[call] in headers), "axes_calls.inl"):
                 continue
             result, parameters = self.header.functions[call]
             arguments = [self._argument(call, kind, name, of_kind) for (kind, name), of_kind in zip(parameters, kinds)]
             kind = "Whole" if answer == "struct" else answer or "Same"
             signature = f"WINDROW_EXPORT {self._type(result)} {call}({', '.join(f'{self._type(kind)} {name}' for kind, name in parameters) or 'void'}) {{"
             text += textwrap.fill(signature, 130, subsequent_indent="    ", break_long_words=False) + "\n"
+            text += f"    if (!host_axes.turned) [[likely]]\n        return own_{call}({', '.join(name for _, name in parameters)});\n"
             text += textwrap.fill(f"    return turned<{kind}>({', '.join([f'own_{call}', *arguments])});", 130, subsequent_indent="        ",
                                   break_long_words=False) + "\n}\n"
         return text
@@ -256,5 +257,5 @@ class Kinds:
 def made(header, comments):
     """{path under c_api/source: text}."""
     kinds = Kinds(header, comments)
-    return {"axes_names.inl": kinds.names(), "axes_own.inl": kinds.declarations(), "axes_structs.inl": kinds.structs(), "axes_calls.inl": kinds.source(False),
-            "axes_plant_calls.inl": kinds.source(True)}
+    return {"axes_names.inl": kinds.names(), "axes_own.inl": kinds.declarations(), "axes_structs.inl": kinds.structs(),
+            **{file: kinds.source(file) for file in ("axes_calls.inl", *PARTS)}}

@@ -464,5 +464,6 @@ WINDROW_EXPORT windrow_plant_key windrow_place_key(float x, float z) {
 }
 
 // --- All others ----------------------------------------------------------------------------------------------------------
+#include "c_api/source/axes_body_calls.inl"
 #include "c_api/source/axes_calls.inl"
 #include "c_api/source/axes_plant_calls.inl"

@@ -321,11 +321,10 @@ BothArgument<Kind, Value> both(Value* value, std::uint64_t) {
     return skin != nullptr ? skin->count : 0;
 }
 
-/// Calls `own` with what the arguments are to the library; `Kind` is that of the result.
+/// Calls `own` with what the arguments are to the library; `Kind` is that of the result. A function of its own: a host whose axes are the
+/// library's jumps past it, with its arguments where they are.
 template <class Kind, class Result, class... Parameters, class... Arguments>
-Result turned(Result (*own)(Parameters...), Arguments... arguments) noexcept {
-    if (!host_axes.turned) [[likely]]
-        return own(arguments.raw...);
+[[gnu::noinline]] Result turned(Result (*own)(Parameters...), Arguments... arguments) noexcept {
     if constexpr (std::is_same_v<Result, windrow_result>) {
         return guarded([&]() -> AlreadySaid {
             Keep keep;
