@@ -220,6 +220,26 @@ class InBlender(unittest.TestCase):
         wind = np.frombuffer(self.files()["Leaves.wind.pc2"], "<f4", offset=bake.HEAD.size).reshape(24, -1, 3)
         self.assertTrue(np.allclose(wind[23], expected, atol=1e-5))
 
+    def test_vdb_files_are_the_cells_of_each_frame(self):
+        self.scene.frame_end = 3
+        self.wind.vdb = True
+        if not windrow.has_part("vdb"):
+            with self.assertRaisesRegex(windrow.WindrowError, "built with OpenVDB"):
+                bake.Bake(self.scene)
+            return
+        self.assertEqual(bpy.ops.windrow.bake(), {"FINISHED"})
+        files = sorted(file.name for file in pathlib.Path(self.wind.folder).glob("*.vdb"))
+        self.assertEqual(files, ["wind_0001.vdb", "wind_0002.vdb", "wind_0003.vdb"])
+        shown = bpy.data.objects["Wind"]
+        self.scene.frame_set(3)
+        volume = shown.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        self.assertTrue(volume.grids.load(), volume.grids.error_message)
+        self.assertEqual([(grid.name, grid.data_type) for grid in volume.grids], [("vel", "VECTOR_FLOAT")])
+        self.assertEqual(volume.velocity_grid, "vel")
+        low, high = (np.array([corner[:] for corner in shown.bound_box]).min(0), np.array([corner[:] for corner in shown.bound_box]).max(0))
+        # The centres of the outermost cells.
+        self.assertTrue(np.allclose(low, (-7.5, -7.5, 0.5), atol=1e-4) and np.allclose(high, (7.5, 7.5, 7.5), atol=1e-4), (low, high))
+
     def test_a_frame_is_drawn(self):
         self.meadow()
         self.assertEqual(bpy.ops.windrow.bake(), {"FINISHED"})
@@ -241,7 +261,7 @@ class InBlender(unittest.TestCase):
     def test_what_is_missing_is_a_sentence(self):
         with self.assertRaises(RuntimeError) as caught:
             bpy.ops.windrow.bake()
-        self.assertIn("nothing is baked: give an object the role Blades or Points.", str(caught.exception))
+        self.assertIn("nothing is baked: give an object the role Blades or Points, or choose VDB files.", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -21,7 +21,6 @@ import windrow
 from windrow import _c, _library
 
 
-
 def over_floor(**changes):
     return windrow.Config(boundaries=windrow.Boundaries.open_over_floor(), ambient=(3, 0, 0), **changes)
 
@@ -255,8 +254,9 @@ class Winds(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "wind.vdb"
             if windrow.has_part("vdb"):
-                windrow.Wind(windrow.Config(cells=(4, 4, 4))).write_vdb(file)
-                self.assertGreater(file.stat().st_size, 100)
+                wind, options = windrow.Wind(windrow.Config(cells=(4, 5, 6))), ({}, {"up": "z"}, {"half": True}, {"name": "v"}, {"time": 1.5}, {"frame": 3})
+                self.assertEqual(len({wind.write_vdb(file, **some) or file.read_bytes() for some in options}), 6)
+                self.assertIn("up is 'x'", sentence_of(self, lambda: wind.write_vdb(file, up="x")))
             else:
                 with self.assertRaises(windrow.WindrowError) as missing:
                     windrow.Wind().write_vdb(file)

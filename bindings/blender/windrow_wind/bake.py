@@ -53,6 +53,32 @@ def stop_playing(thing) -> None:
         modifier.show_viewport = modifier.show_render = False
 
 
+class Volume:
+    """The cells of each frame as OpenVDB files, z up, and an object that shows them."""
+
+    def __init__(self, folder: pathlib.Path, first: int, frames: int) -> None:
+        if not windrow.has_part("vdb"):
+            raise windrow.WindrowError("VDB files need a library that was built with OpenVDB: clear VDB files, or set WINDROW_LIBRARY to one.")
+        self.folder, self.first, self.frames = folder, first, frames
+
+    def file(self, frame: int) -> pathlib.Path:
+        return self.folder / f"wind_{frame:04d}.vdb"
+
+    def write(self, wind: windrow.Wind, frame: int, time: float) -> None:
+        wind.write_vdb(self.file(frame), up="z", half=True, time=time, frame=frame)
+
+    def show(self) -> None:
+        volume = bpy.data.volumes.get("Wind") or bpy.data.volumes.new("Wind")
+        file = self.file(self.first)
+        volume.filepath = bpy.path.relpath(str(file)) if bpy.data.filepath else str(file)
+        volume.is_sequence = self.frames > 1
+        volume.frame_start, volume.frame_duration, volume.frame_offset = self.first, self.frames, self.first - 1
+        volume.velocity_unit = "SECOND"
+        shown = bpy.data.objects.get("Wind") or bpy.data.objects.new("Wind", volume)
+        if shown.name not in bpy.context.scene.objects:
+            bpy.context.scene.collection.objects.link(shown)
+
+
 class Points:
     """The wind at the vertices of an object."""
 
@@ -99,8 +125,9 @@ class Bake:
         self.state_file = self.folder / "state.npz"
         self.targets = sorted((thing for thing in scene.objects if thing.windrow.role in ("BLADES", "POINTS") and thing.type == "MESH"),
                               key=lambda thing: thing.name)
-        if not self.targets:
-            raise windrow.WindrowError("nothing is baked: give an object the role Blades or Points.")
+        self.volume = Volume(self.folder, self.first, self.last - self.first + 1) if scene.windrow.vdb else None
+        if not self.targets and self.volume is None:
+            raise windrow.WindrowError("nothing is baked: give an object the role Blades or Points, or choose VDB files.")
         scene.frame_set(self.first)
         self._make(None)
         self.fingerprint = self._fingerprint()
@@ -129,7 +156,8 @@ class Bake:
     def _fingerprint(self) -> str:
         meadows = [(meadow.thing.name, meadow.settings, meadow.thing.windrow.plant, hashlib.sha256(meadow.roots.tobytes()).hexdigest())
                    for meadow in self.meadows]
-        said = repr((windrow.__version__, self.air.parts(), self.first, self.last, meadows, [(cache.file.name, cache.points) for cache in self.caches]))
+        said = repr((windrow.__version__, self.air.parts(), self.first, self.last, meadows, [(cache.file.name, cache.points) for cache in self.caches],
+                     self.volume is not None))
         return hashlib.sha256(said.encode()).hexdigest()
 
     def _saved(self):
@@ -175,6 +203,8 @@ class Bake:
             written += [points.wind(self.air.wind) for points in self.points]
             for cache, points in zip(self.caches, written):
                 cache.write(self.done, points)
+            if self.volume:
+                self.volume.write(self.air.wind, self.first + self.done, self.done * self.air.dt)
             self.done += 1
             if self.done % EVERY == 0 or self.done == count:
                 self.save()
@@ -185,6 +215,8 @@ class Bake:
         for thing, cache in zip(self.shown, self.caches):
             if cache.file.exists():
                 play(thing, cache.file, self.first)
+        if self.volume and self.done:
+            self.volume.show()
 
 
 class WINDROW_OT_bake(bpy.types.Operator):

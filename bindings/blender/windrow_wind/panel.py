@@ -153,6 +153,8 @@ class SceneWind(bpy.types.PropertyGroup):
     ground_height: bpy.props.FloatProperty(name="Ground height", default=0.0)
     follow: bpy.props.PointerProperty(name="Follow", type=bpy.types.Object, description="What the box follows; nothing: it stays")
     folder: bpy.props.StringProperty(name="Cache folder", default="//windrow_cache", subtype="DIR_PATH")
+    vdb: bpy.props.BoolProperty(name="VDB files", default=False, description="Writes the cells of each frame as an OpenVDB file, and shows "
+                                "them as the volume Wind; the library must have been built with OpenVDB")
     warm_up: bpy.props.IntProperty(name="Warm up", default=0, min=0, max=10000, description="Frames of air before the first")
 
 
@@ -183,7 +185,7 @@ class WINDROW_PT_scene(bpy.types.Panel):
         for name in ("centre", "ground", "ground_height", "follow"):
             layout.prop(wind, name)
         draw(layout, windrow.Config, wind.config)
-        for name in ("folder", "warm_up"):
+        for name in ("folder", "warm_up", "vdb"):
             layout.prop(wind, name)
         layout.operator("windrow.bake").restart = False
         layout.operator("windrow.bake", text="Bake anew").restart = True

@@ -380,7 +380,8 @@ class Wind:
         low, step = ends.min(axis=0), np.ptp(ends, axis=0) / cells
         axes = [low[n] + (np.arange(cells[n]) + 0.5) * step[n] for n in range(3)]
         z, y, x = np.meshgrid(axes[2], axes[1], axes[0], indexing="ij")
-        return np.stack([x, y, z], axis=-1) @ np.linalg.inv(turn).T
+        places: npt.NDArray[np.float64] = np.stack([x, y, z], axis=-1) @ np.linalg.inv(turn).T
+        return places
 
     @property
     def ambient(self) -> tuple[float, float, float]:
@@ -508,9 +509,18 @@ class Wind:
             if isinstance(owner, Handle):
                 owner.log = log
 
-    def write_vdb(self, path: str | os.PathLike[str]) -> None:
-        """Writes the cells as an OpenVDB file; a library without OpenVDB fails with the kind "unsupported" (windrow.has_part("vdb"))."""
-        check(library.windrow_vdb_write(self._wind, text("path", path), None))
+    def write_vdb(self, path: str | os.PathLike[str], *, name: str = "vel", up: Literal["y", "z"] = "y", half: bool = False,
+                  time: float = 0.0, frame: int = 0) -> None:
+        """Writes the cells as an OpenVDB file, with those inside obstacles; metres, whatever `set_axes` says.
+
+        `name` of the grid of velocities: Blender and Houdini look for "vel". `up`: "z" for Blender. `half`: 16 bits a number. `time` [s] and
+        `frame` are kept in the file. A library without OpenVDB fails with the kind "unsupported" (windrow.has_part("vdb")).
+        """
+        options, kept = _c.VdbOptions(), text("name", name)
+        check(library.windrow_vdb_options_init(ctypes.byref(options), ctypes.sizeof(options)))
+        options.name, options.up, options.precision = kept, _choice("up", up, ("y", "z")), int(half)
+        options.time, options.frame = number("time", time), whole("frame", frame, -2**31)
+        check(library.windrow_vdb_write(self._wind, text("path", path), ctypes.byref(options)))
 
     def write_field(self, path: str | os.PathLike[str], format: FieldFormat | None = None, *, time: float = 0.0) -> None:
         """Writes the cells as a file of an engine or an analyst; None: the format of the path's suffix.
