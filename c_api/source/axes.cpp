@@ -20,6 +20,10 @@ namespace windrow::c_api {
 
 HostAxes host_axes;
 
+windrow_result run_guarded(windrow_result (*run)(const void* body), const void* body) noexcept {
+    return guarded([&]() -> AlreadySaid { return {run(body)}; });
+}
+
 namespace {
 
 bool is_mirrored(std::size_t axis) {

@@ -321,18 +321,22 @@ BothArgument<Kind, Value> both(Value* value, std::uint64_t) {
     return skin != nullptr ? skin->count : 0;
 }
 
+/// guarded() for all calls that convert: one handler of exceptions, and not one a call.
+[[nodiscard]] windrow_result run_guarded(windrow_result (*run)(const void* body), const void* body) noexcept;
+
 /// Calls `own` with what the arguments are to the library; `Kind` is that of the result. A function of its own: a host whose axes are the
 /// library's jumps past it, with its arguments where they are.
 template <class Kind, class Result, class... Parameters, class... Arguments>
 [[gnu::noinline]] Result turned(Result (*own)(Parameters...), Arguments... arguments) noexcept {
     if constexpr (std::is_same_v<Result, windrow_result>) {
-        return guarded([&]() -> AlreadySaid {
+        const auto body = [&] {
             Keep keep;
             const windrow_result result = own(arguments.in(keep)...);
             if (result == WINDROW_OK)
                 (arguments.out(keep), ...);
-            return {result};
-        });
+            return result;
+        };
+        return run_guarded([](const void* it) { return (*static_cast<const decltype(body)*>(it))(); }, &body);
     } else {
         Keep keep; // a call that returns a value takes numbers alone, which need no memory
         Result result = own(arguments.in(keep)...);
