@@ -55,15 +55,25 @@ struct BlendZone {
     float width = 1.0f;    ///< [cells]
 };
 
+class Wind;
+
+/// The wind around a view's box where that is another wind; null: the ambient one.
+struct ViewAround {
+    const Wind* outer = nullptr;
+    bool before = false; ///< as it was in the frame before
+};
+
 /// View of a Wind's own memory: cheap to copy, valid until the next change of the wind.
 class WINDROW_API WindView {
   public:
     /// `simd`: of the queries, a level that this machine runs.
     WindView(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
-             std::span<const glm::vec4> field, Simd simd = Simd::best, const ShownCells& shown = {})
-        : box_(&box), window_(window), blend_zone_(blend_zone), ambient_(&ambient), field_(field), shown_(shown), simd_(simd) {}
+             std::span<const glm::vec4> field, Simd simd = Simd::best, const ShownCells& shown = {}, ViewAround around = {})
+        : box_(&box), window_(window), blend_zone_(blend_zone), ambient_(&ambient), field_(field), shown_(shown), simd_(simd),
+          around_(around) {}
 
-    /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
+    /// [m/s] Wind at a world point: beyond the box and in its blend zone that of the outer wind, which may be advanced no further than
+    /// this one. A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
     /// The same for many points; `velocities` holds as many. Vector instructions work on 16 points, so that a point takes a tenth
     /// of the time of the call above. Lists in which neighbours are near each other are fastest: their cells are in the
@@ -107,9 +117,13 @@ class WINDROW_API WindView {
     template <class Texel>
     Result<void> write_texels(std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) const;
 
+    template <class Velocity>
+    void read(const Sampling* felt, std::span<const glm::dvec3> positions, std::span<Velocity> velocities) const;
+
     std::span<const glm::vec4> field_;
     ShownCells shown_;
     Simd simd_;
+    ViewAround around_;
 };
 
 } // namespace windrow

@@ -4,6 +4,7 @@
 #include "fluid/wind_state.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <utility>
 
 namespace windrow {
@@ -24,10 +25,52 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
         reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
 }
 
-Wind::State::State(const Config& config, Workspace workspace, const AmbientWind& ambient)
-    : core(config, ambient, cells), cells(core, std::move(workspace)) {
+Wind::State::State(const Config& config, Workspace workspace, const AmbientWind& ambient, std::shared_ptr<const Wind> outer)
+    : core(config, ambient, cells, outer), cells(core, std::move(workspace), outer ? &outer->state().cells : nullptr) {
     core.start();
 }
+
+namespace {
+
+// A wind in `outer` has the ambient wind of that.
+Config config_within(const Config& config, const Wind& outer) {
+    Config within = config;
+    within.ambient = outer.config().ambient;
+    within.profile = outer.config().profile;
+    within.gusts = outer.config().gusts;
+    within.gusts.tile = outer.ambient_wind().tile();
+    return within;
+}
+
+void check_within(detail::Reasons& reasons, const Config& config, const Wind& outer) {
+    if (config.ambient != glm::vec3(0.0f) || config.profile || config.gusts.intensity != 0.0f)
+        reasons.add("ambient, profile or gusts are given beside an outer wind: leave them out, all levels take those of the "
+                    "outermost wind.");
+    for (const Config* level : {&config, &outer.config()})
+        if (level->scheme != Scheme::second_order || !level->stages.advection)
+            reasons.add(
+                "an outer wind needs scheme second_order and the advection, of both winds: leave them at their defaults.");
+    const WindowHistory place(config, detail::box_of(config).rows.get());
+    const glm::dvec3 low = place.window.origin(), high = low + place.window.size();
+    const Window around = outer.view().window();
+    const glm::dvec3 outer_low = around.origin(), outer_high = outer_low + around.size();
+    const glm::dvec3 rounding = 1e-6 * static_cast<double>(config.cell_size) + 1e-12 * glm::abs(low);
+    constexpr const char* k_axes[3] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (outer.box().boundaries.periodic(axis))
+            continue;
+        const bool beyond_low =
+            config.boundaries.at(axis, 0).kind == BoundaryKind::open && low[axis] < outer_low[axis] - rounding[axis];
+        const bool beyond_high =
+            config.boundaries.at(axis, 1).kind == BoundaryKind::open && high[axis] > outer_high[axis] + rounding[axis];
+        if (beyond_low || beyond_high)
+            reasons.add("the box reaches from ", low[axis], " to ", high[axis], " m along ", k_axes[axis],
+                        ", and its outer wind from ", outer_low[axis], " to ", outer_high[axis],
+                        " m: give a smaller box, another centre, or a larger outer wind.");
+    }
+}
+
+} // namespace
 
 Wind::Wind(std::unique_ptr<State> state) : WindControl(state->core), state_(std::move(state)) {}
 Wind::Wind(Wind&&) noexcept = default;
@@ -35,9 +78,26 @@ Wind& Wind::operator=(Wind&&) noexcept = default;
 Wind::~Wind() = default;
 
 Result<Wind> Wind::create(const Config& config) {
+    return create(config, nullptr);
+}
+
+Result<Wind> Wind::create(const Config& wanted, std::shared_ptr<const Wind> outer) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
-        if (auto valid = validate(config); !valid)
+        if (auto valid = validate(wanted); !valid)
             return valid.failure();
+        if (outer) {
+            detail::Reasons reasons;
+            check_within(reasons, wanted, *outer);
+            if (!reasons.empty())
+                return Error{reasons.take()};
+        }
+        return make(wanted, std::move(outer));
+    });
+}
+
+Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer) {
+    return detail::where_memory_lasts([&]() -> Result<Wind> {
+        const Config config = outer ? config_within(wanted, *outer) : wanted;
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)
@@ -45,8 +105,14 @@ Result<Wind> Wind::create(const Config& config) {
         auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
             return ambient.failure();
-        return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
+        if (outer)
+            ambient->set_phase(outer->ambient_wind().phase());
+        return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient, std::move(outer)));
     });
+}
+
+const std::shared_ptr<const Wind>& Wind::outer() const {
+    return state_->core.outer;
 }
 
 Advance Wind::advance(double dt) {
@@ -71,13 +137,11 @@ Result<DragForce> Wind::force_on(DragId id) const {
 }
 
 WindView Wind::view() const {
-    const auto& frames = state_->core.frames;
-    return frames ? state_->cells.view(state_->cells.frames.shown, frames->shown) : state_->cells.air_view();
+    return state_->cells.shown_view(false);
 }
 
 WindView Wind::previous_view() const {
-    const auto& frames = state_->core.frames;
-    return frames ? state_->cells.view(state_->cells.frames.shown_before, frames->shown_before) : state_->cells.air_view();
+    return state_->cells.shown_view(true);
 }
 
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {

@@ -44,6 +44,14 @@ struct Advance {
 class WINDROW_API Wind : public WindControl, public WindReader {
   public:
     [[nodiscard]] static Result<Wind> create(const Config& config);
+    /// A wind inside another one, one way: where there was the ambient wind (beyond open boundaries and in the blend zone, in new
+    /// cells, as what the air relaxes to) is `outer`, which this wind keeps alive and never changes. The host advances `outer` first,
+    /// then this one, by the same frames. Mean wind, profile and gusts are those of `outer`: rejects a config that gives them, a
+    /// box that is not inside that of `outer` where a boundary is open, and Scheme::stable_fluids. `outer` keeps its pressure from
+    /// now on: eight bytes a cell.
+    [[nodiscard]] static Result<Wind> create(const Config& config, std::shared_ptr<const Wind> outer);
+    /// Null: none, the ambient wind is around the box.
+    [[nodiscard]] const std::shared_ptr<const Wind>& outer() const;
 
     /// Advances the air by dt [s]. Steps may have any length and may differ: no sequence creates energy, and the order stays 2 where
     /// a step is at most twice as long as its neighbours (1 beyond).
@@ -110,21 +118,24 @@ class WINDROW_API Wind : public WindControl, public WindReader {
 
     // --- Snapshots --------------------------------------------------------------------------------------------------------
     /// The whole state as bytes: config, air, motors, obstacles, gusts, ticks. Little-endian, with a version and a checksum. Fails
-    /// without memory for them.
+    /// without memory for them. Levels are saved one by one.
     [[nodiscard]] Result<std::vector<std::byte>> save() const;
     /// A wind that continues from there with the same bits (on the same SIMD level). Rejects bytes that are truncated, changed,
-    /// or of another version.
-    [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
+    /// or of another version. `outer`: the loaded outer wind of a wind that has one, which is loaded before it.
+    [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {},
+                                           std::shared_ptr<const Wind> outer = {});
 
     Wind(Wind&&) noexcept;
     Wind& operator=(Wind&&) noexcept;
     ~Wind() override;
 
     struct State; // wind_state.h
-    [[nodiscard]] State& state() { return *state_; }
+    [[nodiscard]] State& state() const { return *state_; }
 
   private:
     explicit Wind(std::unique_ptr<State> state);
+    /// Of a valid config.
+    [[nodiscard]] static Result<Wind> make(const Config& config, std::shared_ptr<const Wind> outer);
     [[nodiscard]] Result<WindView> read_view() const override { return view(); }
     [[nodiscard]] Result<WindView> read_previous_view() const override { return previous_view(); }
     detail::Owned<State> state_;

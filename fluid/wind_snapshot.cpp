@@ -277,9 +277,28 @@ struct StateFields {
         }
     }
 
+    /// Of winds with others around or inside, after all else: those without have nothing there.
+    static void levels(auto& archive, auto& cells, bool has_outer) {
+        cpu::Cells::LevelState level;
+        if constexpr (Reading<decltype(archive)>) {
+            if (!archive.at_end())
+                archive(level.pressure, level.pressure_before, level.shown_factor, level.outer, level.outer_origin);
+            archive.require(has_outer || level.outer.empty(),
+                            "it was saved with an outer wind: load that first, and give it to Wind::load.");
+            archive.require(!has_outer || !level.outer.empty(), "it was saved without an outer wind: load it without one.");
+            if (!archive.rejected())
+                archive.require(in_range(level.outer_origin) && cells.set_level_state(level),
+                                "what it has of other winds is out of range.");
+        } else {
+            level = cells.level_state();
+            if (!level.pressure.empty())
+                archive(level.pressure, level.pressure_before, level.shown_factor, level.outer, level.outer_origin);
+        }
+    }
+
     /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
     static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
-        auto& [config, rows, place, ambient, motors, obstacles, drag, source_name, sleep, speed, frames, last, log, box,
+        auto& [config, rows, place, ambient, motors, obstacles, drag, source_name, sleep, speed, frames, last, log, outer, box,
                storage] = core;
         auto& [window, point, stepped, previous, follow_axes] = place;
         Tiles tiles;
@@ -419,11 +438,12 @@ Result<std::vector<std::byte>> Wind::save() const {
         detail::Writer writer(fields * cells.air.velocity.size() * sizeof(glm::vec4) + bytes_beside(core));
         writer(saved_config(core));
         StateFields::state(writer, core, cells);
+        StateFields::levels(writer, cells, core.outer != nullptr);
         return std::move(writer).finish(k_format);
     });
 }
 
-Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for) {
+Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for, std::shared_ptr<const Wind> outer) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
         const auto content = detail::unseal(bytes, k_format);
         if (!content)
@@ -439,10 +459,11 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
             return rejected(reader.reason());
         config.parallel_for = parallel_for;
-        auto wind = create(config);
+        auto wind = make(config, outer); // wherever its box was when it was created
         if (!wind)
             return rejected(wind.error());
         StateFields::state(reader, wind->state().core, wind->state().cells);
+        StateFields::levels(reader, wind->state().cells, outer != nullptr);
         reader.end();
         if (reader.rejected())
             return rejected(reader.reason());

@@ -7,7 +7,7 @@
 namespace windrow {
 
 struct WINDROW_HIDDEN Wind::State {
-    State(const Config& config, Workspace workspace, const AmbientWind& ambient);
+    State(const Config& config, Workspace workspace, const AmbientWind& ambient, std::shared_ptr<const Wind> outer);
 
     WindCore core;
     cpu::Cells cells;

@@ -249,6 +249,7 @@ class Reader {
     }
     [[nodiscard]] bool rejected() const { return !reason_.empty(); }
     [[nodiscard]] const std::string& reason() const { return reason_; }
+    [[nodiscard]] bool at_end() const { return rest_.empty(); }
     /// Rejects what is left over.
     void end() { require(rest_.empty(), "bytes follow its last field."); }
 

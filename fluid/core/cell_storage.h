@@ -93,6 +93,7 @@ struct CellStep {
     bool kept = false;            ///< the air of the tick before is kept
     bool may_rest = false;        ///< nothing acts: whether the air is still is measured
     bool rests = false;           ///< the air becomes ambient after this step and sleeps
+    float outer_way = 1.0f;       ///< of the way to the outer wind of now, which the step goes
 };
 
 /// Memory needs of the next calls.

@@ -67,7 +67,7 @@ Advance WindCore::advance(double dt) {
         drop(due.dropped);
     bool regridded = false;
     for (int n = 0; n < due.ticks; ++n) {
-        done.last = tick(duration);
+        done.last = tick(duration, 1.0f / static_cast<float>(due.ticks - n));
         regridded = regridded || done.last.regridded;
     }
     done.last.regridded = regridded;
@@ -120,13 +120,13 @@ void WindCore::drop(double seconds) {
     put_ambient_in();
 }
 
-Diagnostics WindCore::tick(double duration) {
+Diagnostics WindCore::tick(double duration, float outer_way) {
     if (!(sleep.asleep() && frames->before_still))
         apply(CellChange::Kind::keep);
     frames->keep(now());
     (void)frames->follow.tick(duration);
     follow_now(frames->follow.here());
-    return step_air(duration);
+    return step_air(duration, outer_way);
 }
 
 // --- The box -----------------------------------------------------------------------------------------------------------------
@@ -151,7 +151,7 @@ void WindCore::shift_to(CellIndex origin_cells) {
     renew_ambient();
     const bool beyond = place.leaves(shift);
     if (beyond || calm) {
-        if (beyond || !ambient.uniform())
+        if (beyond || outer || !ambient.uniform())
             fill_with_ambient();
         if (frames && !(frames->before_still && ambient.uniform()))
             apply(CellChange::Kind::fill_before);
@@ -168,15 +168,18 @@ void WindCore::shift_to(CellIndex origin_cells) {
 
 // --- The air -----------------------------------------------------------------------------------------------------------------
 
-Diagnostics WindCore::step_air(double duration) {
+Diagnostics WindCore::step_air(double duration, float outer_way) {
     const auto start = std::chrono::steady_clock::now();
     last = {.times_ms = {}};
-    run_step(duration, last);
+    run_step(duration, outer_way, last);
     last.times_ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return last;
 }
 
-void WindCore::run_step(double duration, Diagnostics& report) {
+void WindCore::run_step(double duration, float outer_way, Diagnostics& report) {
+    if (outer)
+        follow_outer_ambient();
+    const bool outer_rests = !outer || outer->diagnostics().asleep;
     std::span<const detail::MotorReach> reached;
     if (config.stages.sources) {
         reached = motors.tick(duration, place.window, config.boundaries, config.jump_speed);
@@ -191,7 +194,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     const bool wind_meets_plants = plants.any() && mean_wind() != glm::vec3(0.0f);
     report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
-    if (sleep.asleep() && reached.empty() && !moved && !wind_meets_bodies && !wind_meets_plants) {
+    if (sleep.asleep() && outer_rests && reached.empty() && !moved && !wind_meets_bodies && !wind_meets_plants) {
         drift(duration);
         const Diagnostics now = report;
         report = sleep.at_rest;
@@ -228,7 +231,8 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                   .renews_sources = renews_sources,
                   .has_source_flow = source_name != 0,
                   .kept = frames.has_value(),
-                  .may_rest = Sleep::may_begin(conditions)};
+                  .may_rest = outer_rests && Sleep::may_begin(conditions),
+                  .outer_way = outer_way};
     speed.note(cells_.measured());
     speed.note(step, box());
     step.tick = speed.tick();

@@ -71,11 +71,10 @@ Box box_of(const Config& config) {
 
 } // namespace detail
 
-WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells)
+WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells, std::shared_ptr<const Wind> around)
     : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()), ambient(wind_around),
-      drag({config.cells, config.cell_size, config.boundaries, rows}), box_{config.cells, config.cell_size, config.boundaries,
-                                                                            rows},
-      cells_(cells) {}
+      drag({config.cells, config.cell_size, config.boundaries, rows}),
+      outer(std::move(around)), box_{config.cells, config.cell_size, config.boundaries, rows}, cells_(cells) {}
 
 void WindCore::start() {
     renew_ambient();
@@ -106,6 +105,8 @@ void WindCore::change_ambient(glm::vec3 wind) {
 Result<void> WindCore::set_ambient(glm::vec3 wind) {
     detail::Reasons reasons;
     detail::check_ambient(reasons, wind);
+    if (outer)
+        reasons.add("set_ambient of a wind with an outer wind: set that of the outermost wind, which all levels take.");
     if (!reasons.empty())
         return Error{reasons.take()};
     if (!has_room({.gusts = &config.gusts}))
@@ -116,6 +117,15 @@ Result<void> WindCore::set_ambient(glm::vec3 wind) {
 }
 
 Result<void> WindCore::set_gusts(const Gusts& gusts) {
+    if (outer)
+        return Error{"set_gusts of a wind with an outer wind: set those of the outermost wind, which all levels take."};
+    if (auto changed = change_gusts(gusts); !changed)
+        return changed;
+    note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed, gusts.tile != nullptr});
+    return {};
+}
+
+Result<void> WindCore::change_gusts(const Gusts& gusts) {
     Gusts wanted = gusts;
     if (!wanted.tile && ambient.tile() && ambient.tile()->seed() == gusts.seed)
         wanted.tile = ambient.tile();
@@ -131,8 +141,20 @@ Result<void> WindCore::set_gusts(const Gusts& gusts) {
     config.gusts = gusts;
     ambient = *std::move(renewed);
     put_ambient_in();
-    note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed, gusts.tile != nullptr});
     return {};
+}
+
+// One ambient wind for all levels: what the outer one has become. Without memory for its gusts, as before.
+void WindCore::follow_outer_ambient() {
+    const Config& around = outer->config();
+    const auto& [intensity, length, seed, tile] = around.gusts;
+    if (intensity != config.gusts.intensity || length != config.gusts.length || seed != config.gusts.seed) {
+        Gusts gusts = around.gusts;
+        gusts.tile = outer->ambient_wind().tile();
+        (void)change_gusts(gusts);
+    }
+    if (around.ambient != config.ambient)
+        change_ambient(around.ambient);
 }
 
 Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {

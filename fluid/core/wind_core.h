@@ -21,7 +21,8 @@ namespace windrow {
 
 class WINDROW_INTERNAL WindCore {
   public:
-    WindCore(const Config& config, const AmbientWind& ambient, CellStorage& cells);
+    /// `outer`: the wind around; null: the ambient one.
+    WindCore(const Config& config, const AmbientWind& ambient, CellStorage& cells, std::shared_ptr<const Wind> outer = {});
     WindCore(const WindCore&) = delete;
     WindCore& operator=(const WindCore&) = delete;
 
@@ -40,6 +41,7 @@ class WINDROW_INTERNAL WindCore {
     std::optional<FrameHistory> frames; ///< with `advance`
     Diagnostics last{.times_ms = {}};   ///< of the last step or tick
     EventLog* log = nullptr;
+    const std::shared_ptr<const Wind> outer; ///< null: none
 
     [[nodiscard]] const Window& window() const { return place.window; }
     [[nodiscard]] const Box& box() const { return box_; }
@@ -82,9 +84,11 @@ class WINDROW_INTERNAL WindCore {
     friend struct StateFields; // wind_snapshot.cpp
 
     // --- wind_advance.cpp: time --------------------------------------------------------------------------------------------
-    Diagnostics step_air(double duration);
-    void run_step(double duration, Diagnostics& report);
-    [[nodiscard]] Diagnostics tick(double duration);
+    /// `outer_way`: CellStep::outer_way.
+    Diagnostics step_air(double duration, float outer_way = 1.0f);
+    void run_step(double duration, float outer_way, Diagnostics& report);
+    [[nodiscard]] Diagnostics tick(double duration, float outer_way);
+    void follow_outer_ambient();
     void drop(double seconds);
     void drift(double seconds);
     void follow_now(glm::dvec3 point);
@@ -107,6 +111,7 @@ class WINDROW_INTERNAL WindCore {
     void take_ambient_out();
     void put_ambient_in();
     void change_ambient(glm::vec3 wind);
+    Result<void> change_gusts(const Gusts& gusts);
     [[nodiscard]] bool has_room(const CellNeeds& needs);
     void note(const auto& event) {
         if (log != nullptr)

@@ -52,9 +52,13 @@ bool is_in_reach(const PlacedObstacle& body, const Box& box) {
 
 } // namespace
 
-Cells::Cells(const WindCore& wind, Workspace workspace)
+Cells::Cells(const WindCore& wind, Workspace workspace, Cells* outer)
     : work(std::move(workspace)), air(box().cell_count()), sources(box().cells), wind_(wind), config_(wind.config),
       around_(wind.ambient), reading_maker_(box(), wind.config) {
+    if (outer != nullptr) {
+        outer_.emplace(box(), *outer);
+        keep_pressure();
+    }
     make_room_around(config_.gusts);
     if (wind_.rough()) {
         layer_.emplace(box(), *config_.roughness);
@@ -176,10 +180,6 @@ glm::vec4 Cells::wind_at(std::size_t n, int i, int j, int k) const {
     return in_room(n) ? glm::vec4(0.0f) : ambient_at(i, j, k);
 }
 
-glm::vec4 Cells::rest_at(std::size_t n, int i, int j, int k) const {
-    return around_.gusting() || in_room(n) ? glm::vec4(0.0f) : mean_at(i, j, k);
-}
-
 // [m/s] All that is prescribed, of cells of a row: from number n at `cell` on. Where it is nothing, returns false and writes nothing.
 bool Cells::write_prescribed(std::size_t n, glm::ivec3 cell, std::span<glm::vec4> winds) const {
     if (!has_source_flow() && !around_.gusting())
@@ -224,10 +224,11 @@ void Cells::add_ambient(std::span<glm::vec4> field, float factor) {
 }
 
 void Cells::fill(std::span<glm::vec4> field) const {
-    if (around_.uniform())
+    if (around_.uniform() && !outer_)
         std::fill(field.begin(), field.end(), ambient_at(0, 0, 0));
     else
-        for_each_cell(box().cells, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+        for_each_cell(box().cells,
+                      [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k) + change_at(i, j, k); });
 }
 
 // --- Changes -----------------------------------------------------------------------------------------------------------------
@@ -246,6 +247,10 @@ Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
 void Cells::apply(const CellChange& change) {
     renew_around(change.ambient, change.window, config_.parallel_for);
     sampled_.held = false;
+    if (outer_ && change.kind == CellChange::Kind::fill)
+        outer_->renew(change.window, config_.parallel_for);
+    else if (outer_)
+        outer_->move_to(change.window, config_.parallel_for);
     switch (change.kind) {
     case CellChange::Kind::fill:
         return fill_air();
@@ -278,6 +283,7 @@ void Cells::fill_air() {
     air.undiffused_time = 0.0f;
     loads.clear();
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
+    std::fill_n(pressure_.data(), pressure_.size(), 0.0f);
 }
 
 void Cells::set(std::span<const glm::vec4> cells) {
@@ -347,36 +353,25 @@ void Cells::set_surface_history(SurfaceHistory&& history) {
     loads.restore(std::move(history.loads), history.duration);
 }
 
-Cells::KeptPotential Cells::kept_potential() const {
-    if (air.fresh || !(potential_weight_ > 0.0f))
-        return {};
-    KeptPotential kept{.weight = potential_weight_, .cells = std::vector<float>(air.velocity.size())};
-    work.state().copy_potential(kept.cells, 1.0f);
-    return kept;
-}
-
-void Cells::set_kept_potential(const KeptPotential& kept) {
-    potential_weight_ = kept.weight;
-    if (kept.weight > 0.0f)
-        work.state().set_potential(kept.cells);
-}
-
 void Cells::shift(const CellChange& change) {
     const bool lifts = box().rows && change.by.y != 0;
+    const auto exposed_wind = [&](int i, int j, int k) {
+        return (change.exposed_hold_ambient ? ambient_at(i, j, k) : glm::vec4(0.0f)) + change_at(i, j, k);
+    };
     const auto shift_field = [&](std::span<glm::vec4> field, glm::ivec3 cells, CellIndex by, glm::vec4 fresh) {
         windrow::shift_field(field, cells, lifts ? CellIndex(by.x, 0, by.z) : by, fresh);
         if (!lifts)
             return;
         const bool ambient =
-            change.exposed_hold_ambient && field.data() != source_flow.data() && field.data() != air.history.data();
+            (outer_ || change.exposed_hold_ambient) && field.data() != source_flow.data() && field.data() != air.history.data();
         lift_field(field, cells, *box().rows, by.y, config_.parallel_for,
-                   [&](int i, int j, int k) { return ambient ? ambient_at(i, j, k) : glm::vec4(0.0f); });
+                   [&](int i, int j, int k) { return ambient ? exposed_wind(i, j, k) : glm::vec4(0.0f); });
     };
     const auto shift_air = [&](std::span<glm::vec4> field) {
         shift_field(field, box().cells, change.by, change.exposed_hold_ambient ? ambient_at(0, 0, 0) : glm::vec4(0.0f));
-        if (!around_.uniform() && change.exposed_hold_ambient)
+        if (outer_ || (!around_.uniform() && change.exposed_hold_ambient))
             for_each_exposed(box().cells, lifts ? CellIndex(change.by.x, 0, change.by.z) : change.by,
-                             [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+                             [&](std::size_t n, int i, int j, int k) { field[n] = exposed_wind(i, j, k); });
     };
     if (lifts) // the lists, which hold in no other rows, go
         uncover();
@@ -394,6 +389,7 @@ void Cells::shift(const CellChange& change) {
         shift_field(source_flow, box().cells, change.by, glm::vec4(0.0f));
     if (change.kept)
         shift_air(frames.before);
+    shift_pressure(change);
     if (!air.fresh) {
         shift_air(air.velocity_old);
         shift_field(air.history, box().cells, change.by, glm::vec4(0.0f));
@@ -404,6 +400,7 @@ void Cells::keep() {
     materialise_air_alone(config_.parallel_for);
     before_held_at_ = wind_.sleep.drift;
     std::copy_n(air.velocity.data(), air.velocity.size(), frames.before.data());
+    std::copy_n(pressure_.data(), pressure_.size(), pressure_before_.data());
 }
 
 // --- Lazy writes of ambient cells --------------------------------------------------------------------------------------------
@@ -425,6 +422,8 @@ void Cells::materialise_air_alone(const ParallelFor& parallel_for) {
         return;
     renew_around(wind_.ambient, wind_.window(), parallel_for);
     sampled_.held = false;
+    if (outer_)
+        outer_->renew(wind_.window(), parallel_for);
     fill(air.velocity);
     held_at_ = wind_.sleep.drift;
 }
@@ -474,8 +473,9 @@ std::size_t Cells::memory_bytes() const {
     return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + frames_before_.memory_bytes() + diffused_.bytes() +
            sources.memory_bytes() + mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
            (profile_bends_.size() + open_parts_.capacity()) * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() +
-           solved.bytes() + (layer_ ? layer_->memory_bytes() : 0) + loads.memory_bytes() +
-           sheltered_air_.capacity() * sizeof(glm::vec4) + sampled_.cells.bytes() + reading_maker_.memory_bytes();
+           solved.bytes() + (layer_ ? layer_->memory_bytes() : 0) + loads.memory_bytes() + pressure_.bytes() +
+           pressure_before_.bytes() + (outer_ ? outer_->memory_bytes() : 0) + sheltered_air_.capacity() * sizeof(glm::vec4) +
+           sampled_.cells.bytes() + reading_maker_.memory_bytes();
 }
 
 } // namespace windrow::cpu

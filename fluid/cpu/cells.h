@@ -1,7 +1,7 @@
 // Cells of a wind on the CPU.
 //
 // cells.cpp: the operations of the wind's core: set to ambient, move with the box. cells_shown.cpp: what frames and views show.
-// step.cpp: a step.
+// step.cpp: a step. cells_levels.cpp: what is around the box, and what a box inside this one needs.
 #pragma once
 
 #include "fluid/api.h"
@@ -9,6 +9,7 @@
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/cpu/body_loads.h"
+#include "fluid/cpu/outer_wind.h"
 #include "fluid/cpu/sources.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
@@ -16,6 +17,7 @@
 #include "fluid/solids/surface_layer.h"
 
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <vector>
 
@@ -69,8 +71,8 @@ struct FrameCells {
 
 class Cells final : public CellStorage {
   public:
-    /// `wind` outlives it.
-    Cells(const WindCore& wind, Workspace workspace);
+    /// `wind` outlives it, as does `outer`, the cells of the wind around it; null: none.
+    Cells(const WindCore& wind, Workspace workspace, Cells* outer = nullptr);
 
     void make_room(const CellNeeds& needs) override;
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries, bool kinds) override;
@@ -83,6 +85,8 @@ class Cells final : public CellStorage {
         around_origin_cells_ += shift.cells;
         reading_origin_ += shift.cells;
         drag_origin_ += shift.cells;
+        if (outer_)
+            outer_->shift_origin(shift.cells);
         shift.move(around_);
     }
     [[nodiscard]] std::span<glm::vec4> spare() override { // a step pads them anew
@@ -93,6 +97,8 @@ class Cells final : public CellStorage {
     /// Views of the air, and of the frames shown; their cells are written from then on. Thread-safe.
     [[nodiscard]] WindView air_view();
     [[nodiscard]] WindView view(FrameCells::Field& field, const ShownFrame& frame);
+    /// The frame shown, or the one before it; without frames the air.
+    [[nodiscard]] WindView shown_view(bool before);
     /// Writes the ambient wind into cells that are marked as ambient. Thread-safe.
     void materialise_air();
     void materialise_all(); ///< also in the frames
@@ -115,6 +121,26 @@ class Cells final : public CellStorage {
     };
     [[nodiscard]] WINDROW_INTERNAL KeptPotential kept_potential() const;
     void set_kept_potential(const KeptPotential& kept);
+
+    // --- For a wind whose surroundings are this one (outer_wind.h) ---------------------------------------------------------
+    /// From now on, the pressure of the last two ticks. Throws std::bad_alloc.
+    void keep_pressure();
+    [[nodiscard]] bool asleep() const;
+    /// [m^2/s^2] Of a cell in the frame shown.
+    [[nodiscard]] float shown_pressure(std::size_t cell) const;
+    /// visit(cell, velocity) for each cell in a body that is read as air beside it, in the frame shown.
+    void for_each_filled(const std::function<void(std::uint32_t, glm::vec3)>& visit) const;
+
+    /// What a wind keeps for an inner one, and of its own outer one; empty without.
+    struct LevelState {
+        std::vector<float> pressure{}, pressure_before{};
+        float shown_factor = 1.0f;
+        std::vector<float> outer{}; ///< D and p of padded cells
+        CellIndex outer_origin{0};
+    };
+    [[nodiscard]] WINDROW_INTERNAL LevelState level_state() const;
+    /// False where it is that of another box. Throws std::bad_alloc.
+    [[nodiscard]] bool set_level_state(const LevelState& level);
 
     Workspace work;
     TwoLevelAir air;
@@ -143,10 +169,16 @@ class Cells final : public CellStorage {
     [[nodiscard]] glm::vec4 wind_at(std::size_t n, int i, int j, int k) const;
     [[nodiscard]] glm::vec4 rest_at(std::size_t n, int i, int j, int k) const;
     [[nodiscard]] bool in_room(std::size_t n) const;
+    /// The wind around: of a cell outside of closed rooms that is what the ambient wind, or the wind of `wind_at`, and D are.
+    [[nodiscard]] glm::vec4 change_at(int i, int j, int k) const { return outer_ ? outer_->at(i, j, k) : glm::vec4(0.0f); }
+    [[nodiscard]] glm::vec4 around_at(std::size_t n, int i, int j, int k) const;
+    /// The cells as they are beside surfaces, of the frame shown.
+    [[nodiscard]] const SampledCells& shown_sample() const { return frames.before.empty() ? sampled_ : frames.shown.sampled; }
     void fill(std::span<glm::vec4> field) const;
     void fill_air();
     void set(std::span<const glm::vec4> cells);
     void shift(const CellChange& change);
+    void shift_pressure(const CellChange& change);
     void add_wind(const CellChange& change);
     void add_change(const CellChange& change);
     void keep();
@@ -180,7 +212,7 @@ class Cells final : public CellStorage {
     /// Of the prescribed winds at the end of the sub-step.
     [[nodiscard]] PrescribedFlow prescribed() const;
     void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale, int solves,
-                        Diagnostics& report);
+                        Diagnostics& report, const Beyond* beyond = nullptr);
     void extend_into_bodies();
     void forget_inside();
     [[nodiscard]] std::span<const Solids::InsideCell> inside_bodies() const;
@@ -212,6 +244,8 @@ class Cells final : public CellStorage {
     [[nodiscard]] std::span<const glm::vec4> mix(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void deepen_lee(const DragRows& drag, float dt, int plane);
     void deepen_lee_beside(const Solids& solids, glm::ivec3 cell, float drag, float dt);
+    void advect_among(const Transport& transport, std::span<glm::vec4> result);
+    void note_pressure(float dt, const numerics::WindrowPast& past);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
     void perform(float dt, int solves, Diagnostics& report);
@@ -226,13 +260,16 @@ class Cells final : public CellStorage {
     }
 
     const WindCore& wind_;
-    const Config& config_;             ///< of `wind_`
-    AmbientWind around_;               ///< wind of the ambient fields; within a step ahead of the wind's own
-    CellIndex around_origin_cells_{0}; ///< window of the ambient fields
-    bool around_stale_ = true;         ///< ambient fields unset, or boundary conditions changed
-    AmbientField mean_field_;          ///< the mean wind cell by cell; empty without a profile
-    AmbientField ambient_field_;       ///< the same with gusts; empty without gusts
-    AmbientField ambient_next_;        ///< within a step: at its end
+    const Config& config_;                     ///< of `wind_`
+    std::optional<OuterWind> outer_;           ///< none: the ambient wind is around the box
+    Buffer<float> pressure_, pressure_before_; ///< [m^2/s^2] of the air, and of the tick before; empty: not kept
+    float shown_factor_ = 1.0f;                ///< of the frame shown, between them
+    AmbientWind around_;                       ///< wind of the ambient fields; within a step ahead of the wind's own
+    CellIndex around_origin_cells_{0};         ///< window of the ambient fields
+    bool around_stale_ = true;                 ///< ambient fields unset, or boundary conditions changed
+    AmbientField mean_field_;                  ///< the mean wind cell by cell; empty without a profile
+    AmbientField ambient_field_;               ///< the same with gusts; empty without gusts
+    AmbientField ambient_next_;                ///< within a step: at its end
     detail::HostVector<float>
         profile_bends_;                  ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step

@@ -161,10 +161,10 @@ PrescribedFlow Cells::prescribed() const {
 }
 
 void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
-                           int solves, Diagnostics& report) {
+                           int solves, Diagnostics& report, const Beyond* beyond) {
     Workspace::State::SolidSolve around{
         .keeps_terms = true, .guess_scale = guess_scale, .prescribed = prescribed(), .solves = solves};
-    work.state().project(velocity, {}, note, nullptr, &around);
+    work.state().project(velocity, {}, note, beyond, &around);
     potential_weight_ = work.state().other_solve == nullptr && !note.field.empty() ? note.weight : 0.0f;
     if (!work.state().has_solids())
         return;
@@ -175,6 +175,20 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
     loads.add(work.state().solid_flow(), work.state().potential.data(), has_history ? guess_scale : 0.0f, note.weight, note.kept);
 }
 
+Cells::KeptPotential Cells::kept_potential() const {
+    if (air.fresh || !(potential_weight_ > 0.0f))
+        return {};
+    KeptPotential kept{.weight = potential_weight_, .cells = std::vector<float>(air.velocity.size())};
+    work.state().copy_potential(kept.cells, 1.0f);
+    return kept;
+}
+
+void Cells::set_kept_potential(const KeptPotential& kept) {
+    potential_weight_ = kept.weight;
+    if (kept.weight > 0.0f)
+        work.state().set_potential(kept.cells);
+}
+
 // The kept q = (dt/2) grad p is w grad phi + k s q_old (shaders/numerics/history.glsl). The phi of the last solve is still there, and its
 // part of the pressure is w phi as it acted. The rest is small where steps are equal, and is solved for anew: the wide difference that
 // measures a gradient misses an eighth of a jump across a body, which would be taken up by a false slope of all the box.
@@ -182,6 +196,10 @@ void Cells::write_pressure(std::span<float> result) {
     std::fill(result.begin(), result.end(), 0.0f);
     if (air.fresh || !(air.dt_old > 0.0f))
         return;
+    if (outer_) { // by what is beyond the box, which no solve of it knows
+        std::copy_n(pressure_.data(), pressure_.size(), result.begin());
+        return;
+    }
     Workspace::State& state = work.state();
     const CellIndex shift = wind_.place.window.origin_cells - wind_.place.stepped.origin_cells;
     const bool has_potential = potential_weight_ > 0.0f && !(box().rows && shift.y != 0);

@@ -80,6 +80,7 @@ void Cells::show(const FrameBlend& blend) {
     if (blend.unchanged)
         return;
     FrameCells::Field& shown = frames.shown;
+    shown_factor_ = blend.factor;
     shown.held = !blend.still || !wind_.ambient.gusting();
     shown.sampled.held = false;
     if (!shown.held)
@@ -104,8 +105,14 @@ void Cells::show(const FrameBlend& blend) {
 WindView Cells::air_view() {
     materialise_air();
     sample_once(air.velocity, wind_.window(), sampled_);
-    return {box(),           wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity, wind_.config.simd,
-            sampled_.shown()};
+    return {box(),
+            wind_.window(),
+            wind_.blend_zone(wind_.place.point),
+            wind_.ambient,
+            air.velocity,
+            wind_.config.simd,
+            sampled_.shown(),
+            {wind_.outer.get(), false}};
 }
 
 WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
@@ -117,7 +124,14 @@ WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
             frame.ambient,
             field.cells,
             wind_.config.simd,
-            field.sampled.shown()};
+            field.sampled.shown(),
+            {wind_.outer.get(), &field == &frames.shown_before}};
+}
+
+WindView Cells::shown_view(bool before) {
+    if (!wind_.frames)
+        return air_view();
+    return before ? view(frames.shown_before, wind_.frames->shown_before) : view(frames.shown, wind_.frames->shown);
 }
 
 } // namespace windrow::cpu

@@ -273,12 +273,16 @@ void Workspace::State::take_gradient(const cpu::Potential& solved, std::span<glm
 }
 
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                               const cpu::FreeAir* beyond, SolidSolve* around) {
+                               const cpu::Beyond* beyond, SolidSolve* around) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
     // Of what L takes from a neighbour's value.
     const auto link = [&](glm::ivec3 cell, int axis, int end) {
         return axis == 1 && box.rows ? box.row_scale(cell.y) * box.rows->links()[static_cast<std::size_t>(cell.y + end)] : 1.0f;
+    };
+    // Of a central difference, what the ghost's value has in it.
+    const auto half_step = [&](glm::ivec3 cell, int axis, int end) {
+        return (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? box.row_scale(cell.y) : 1.0f);
     };
     const bool exchanged = other_solve != nullptr && expansion.empty() && beyond == nullptr && !has_solids();
     if (exchanged)
@@ -289,8 +293,9 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
         subtract_from_potential(expansion, box.cell_size);
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
-            potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure.pitch() + cell.x] -=
-                link(cell, axis, end) * beyond->at(cell, axis, end);
+            potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure.pitch() + cell.x] +=
+                half_step(cell, axis, end) * beyond->rise(cell, axis, end) -
+                link(cell, axis, end) * beyond->potential(cell, axis, end);
         });
     SolidSolve alone{.solves = k_most_solves, .tolerance = k_operator_tolerance};
     cpu::Potential solved{potential.data(), pressure.pitch()};
@@ -311,8 +316,11 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
             if (has_solids() && solids->inside(static_cast<std::uint32_t>(box.index(cell.x, cell.y, cell.z))))
                 return; // the body's own velocity
-            velocity[box.index(cell.x, cell.y, cell.z)][axis] -=
-                (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? box.row_scale(cell.y) : 1.0f) * beyond->at(cell, axis, end);
+            const std::size_t n = box.index(cell.x, cell.y, cell.z);
+            const float slope = half_step(cell, axis, end) * beyond->potential(cell, axis, end);
+            velocity[n][axis] -= slope;
+            if (!note.field.empty())
+                note.field[n][axis] += note.weight * slope;
         });
 }
 

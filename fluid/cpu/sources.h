@@ -77,17 +77,33 @@ class WINDROW_INTERNAL SourceField {
     float largest_driven_ = 0.0f;
 };
 
+/// What is beyond open boundaries, in the ghost cell next to `cell` at the low (0) or high (1) end of an axis.
+class Beyond {
+  public:
+    /// phi / h [m/s].
+    [[nodiscard]] virtual float potential(glm::ivec3 cell, int axis, int end) const = 0;
+    /// [m/s] By which the wind along the axis is more there than in `cell`.
+    [[nodiscard]] virtual float rise(glm::ivec3, int, int) const { return 0.0f; }
+
+  protected:
+    Beyond() = default;
+    Beyond(const Beyond&) = default;
+    Beyond& operator=(const Beyond&) = default;
+    ~Beyond() = default;
+};
+
 /// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball
 /// and of its mirror images in walls.
-class FreeAir {
+class FreeAir final : public Beyond {
   public:
     /// Allocates for a box, unless there is room.
     void make_room(const Box& box);
     /// The box must have room. `open_parts`: of each volume source, the fraction that obstacles leave of it; empty: all.
     void gather(std::span<const detail::MotorReach> motors, const Box& box, std::span<const float> open_parts,
                 const ParallelFor& parallel_for);
-    /// In the ghost cell next to `cell`, at the low (0) or high (1) end of an axis.
-    [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const { return ghosts_[axis][end][place(cell, axis)]; }
+    [[nodiscard]] float potential(glm::ivec3 cell, int axis, int end) const override {
+        return ghosts_[axis][end][place(cell, axis)];
+    }
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:

@@ -83,6 +83,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     renew_around(*step.ambient, *step.window, config_.parallel_for);
     AmbientWind wind = around_;
     const glm::dvec3 phase = wind.phase();
+    if (outer_)
+        outer_->begin_step(*step.window, step.outer_way, config_.parallel_for);
     bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
     loads.begin(dt);
     // For the first sub-step: volume sources find bodies that move where the air meets them.
@@ -96,6 +98,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         wind.set_phase(phase);
         wind.advance(step.duration * (part + 1) / report.substeps);
         next_phase_ = wind.phase();
+        if (outer_)
+            outer_->begin_part(part, report.substeps, config_.parallel_for);
         if (bodies_move_ && part > 0)
             (void)place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report);
         if (const Solids* const solids = work.state().solids.get())
@@ -110,6 +114,8 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     }
     work.state().fastest.reset();
     *step.ambient = around_;
+    if (outer_)
+        outer_->end_step();
     if (const Solids* const solids = work.state().solids.get())
         report.filling_obstacles = solids->filling();
     measure(report);
@@ -227,7 +233,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
         }
         return true;
     };
-    const bool even = !has_source_flow() && !around_.gusting() && !config_.profile && !work.state().has_solids();
+    const bool even = !has_source_flow() && !outer_ && !around_.gusting() && !config_.profile && !work.state().has_solids();
     const Acting::EvenAir departing_evenly{
         .carried = even ? carried.data() : nullptr, .left = left, .rest = left != 1.0f ? mean_at(0, 0, 0) : glm::vec4(0.0f)};
     if (acting.any()) {
@@ -245,7 +251,7 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
     const std::span<glm::vec4> arrived = air.velocity_old;
     {
         OuterStopwatch watch("windrow advection", report.times_ms.advection, work.state().obstacles_ms);
-        windrow::advect(work, transport, arrived);
+        advect_among(transport, arrived);
     }
     carry_gusts();
     if (acting.any())
@@ -253,7 +259,10 @@ void Cells::perform(float dt, int solves, Diagnostics& report) {
     {
         OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         if (config_.stages.projection) {
-            project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, solves, report);
+            const std::optional<OuterWind::Sides> sides = outer_ ? std::optional<OuterWind::Sides>(*outer_) : std::nullopt;
+            project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, solves, report,
+                           sides ? &*sides : nullptr);
+            note_pressure(dt, past);
         } else {
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
             potential_weight_ = 0.0f;
@@ -451,7 +460,7 @@ void Cells::repair_cells() {
     for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
         if (finite(air.velocity[n]))
             return;
-        air.velocity[n] = air.velocity_old[n] = wind_at(n, i, j, k);
+        air.velocity[n] = air.velocity_old[n] = around_at(n, i, j, k);
         air.history[n] = glm::vec4(0.0f);
     });
 }
@@ -472,24 +481,6 @@ void Cells::measure(Diagnostics& report) {
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
     report.divergence_rms = std::sqrt(found.divergence_squares / static_cast<double>(box().cell_count()));
-}
-
-// Stops at the first cell that still moves: the cost is small until the air has relaxed to the ambient wind.
-bool Cells::at_ambient() const {
-    const glm::ivec3 cells = box().cells;
-    const bool around_bodies = work.state().has_solids();
-    std::size_t n = 0;
-    for (int k = 0; k < cells.z; ++k)
-        for (int j = 0; j < cells.y; ++j)
-            for (int i = 0; i < cells.x; ++i, ++n) {
-                if (around_bodies && work.state().solids->inside(static_cast<std::uint32_t>(n)))
-                    continue;
-                const glm::vec4 apart = air.velocity[n] - wind_at(n, i, j, k);
-                if (!(std::abs(apart.x) < config_.sleep_speed && std::abs(apart.y) < config_.sleep_speed &&
-                      std::abs(apart.z) < config_.sleep_speed))
-                    return false;
-            }
-    return true;
 }
 
 } // namespace windrow::cpu

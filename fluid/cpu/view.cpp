@@ -5,8 +5,11 @@
 #include "fluid/core/view_place.h"
 #include "fluid/cpu/point_tasks.h"
 #include "fluid/solids/reading.h"
+#include "fluid/wind.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <type_traits>
 
 namespace windrow {
@@ -83,18 +86,33 @@ cpu::PointPlace of_kernels(const detail::ViewPlace& place) {
 // A list in parts that stay in the first cache between the wind and what it does to a plant.
 constexpr std::size_t k_part = 512;
 
-// Velocities are of three floats or of four.
+// Where the share of the box's wind is below 1, what is mixed with it is the outer wind in place of the ambient one.
 template <class Velocity>
-void sample(const cpu::Kernels& kernels, const cpu::PointTask& task, const cpu::FeltTask* felt,
-            std::span<const glm::dvec3> positions, std::span<Velocity> velocities) {
-    const std::size_t count = std::min(positions.size(), velocities.size());
-    for (std::size_t first = 0; first < count; first += k_part) {
-        const std::size_t size = std::min(k_part, count - first);
-        const double* const points = &positions[first].x;
-        float* const out = &velocities[first].x;
-        kernels.sample_points(task, points, size, Velocity::length(), out);
-        if (felt != nullptr)
-            kernels.feel(*felt, points, size, Velocity::length(), out);
+void mix_outer(const cpu::Kernels& kernels, const cpu::PointTask& task, const WindView& outer,
+               std::span<const glm::dvec3> positions, std::span<Velocity> velocities) {
+    std::array<glm::dvec3, k_part> beyond;
+    std::array<glm::vec3, k_part> winds, ambient;
+    std::array<std::size_t, k_part> places;
+    std::array<float, k_part> shares;
+    std::size_t count = 0;
+    for (std::size_t n = 0; n < positions.size(); ++n) {
+        cpu::PointPlace place{};
+        kernels.place_point(task, &positions[n].x, place);
+        if (place.share == 1.0f)
+            continue;
+        places[count] = n;
+        beyond[count] = positions[n];
+        shares[count] = place.share;
+        ambient[count++] = {place.ambient[0], place.ambient[1], place.ambient[2]};
+    }
+    outer.velocity(std::span(beyond).first(count), std::span(winds).first(count));
+    for (std::size_t m = 0; m < count; ++m) {
+        Velocity& velocity = velocities[places[m]];
+        glm::vec3 wind = winds[m];
+        if (shares[m] > 0.0f)
+            wind = glm::vec3(velocity) + (1.0f - shares[m]) * (wind - ambient[m]);
+        for (int axis = 0; axis < 3; ++axis)
+            velocity[axis] = wind[axis];
     }
 }
 
@@ -125,13 +143,35 @@ glm::vec3 WindView::velocity(glm::dvec3 position) const {
     velocity(std::span(&position, 1), std::span(&wind, 1));
     return wind;
 }
+// Velocities are of three floats or of four.
+template <class Velocity>
+void WindView::read(const Sampling* felt, std::span<const glm::dvec3> positions, std::span<Velocity> velocities) const {
+    const cpu::Kernels& kernels = *cpu::kernels_for(simd_);
+    const cpu::PointTask task = point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law);
+    std::optional<WindView> outer;
+    if (around_.outer != nullptr)
+        outer = around_.before ? around_.outer->previous_view() : around_.outer->view();
+    std::optional<cpu::FeltTask> feel;
+    if (felt != nullptr)
+        feel = cpu::felt_task(*ambient_, *felt);
+    const std::size_t count = std::min(positions.size(), velocities.size());
+    for (std::size_t first = 0; first < count; first += k_part) {
+        const std::size_t size = std::min(k_part, count - first);
+        const double* const points = &positions[first].x;
+        float* const out = &velocities[first].x;
+        kernels.sample_points(task, points, size, Velocity::length(), out);
+        if (outer)
+            mix_outer(kernels, task, *outer, positions.subspan(first, size), velocities.subspan(first, size));
+        if (feel)
+            kernels.feel(*feel, points, size, Velocity::length(), out);
+    }
+}
+
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), nullptr, positions,
-           velocities);
+    read(nullptr, positions, velocities);
 }
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec4> velocities) const {
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), nullptr, positions,
-           velocities);
+    read(nullptr, positions, velocities);
 }
 
 glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
@@ -140,14 +180,10 @@ glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
     return wind;
 }
 void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
-    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), &felt, positions,
-           velocities);
+    read(&sampling, positions, velocities);
 }
 void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
-    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
-    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, shown(), shown_.law), &felt, positions,
-           velocities);
+    read(&sampling, positions, velocities);
 }
 
 Result<void> WindView::write_vectors(std::span<float> texels) const {

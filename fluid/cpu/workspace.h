@@ -16,7 +16,7 @@
 namespace windrow {
 
 namespace cpu {
-class FreeAir;
+class Beyond;
 
 /// Rows of phi / h, `pitch` floats apart.
 struct Potential {
@@ -119,9 +119,9 @@ struct WINDROW_HIDDEN Workspace::State {
     };
     /// In place of the direct solve; null: none. Beside obstacles and for volume sources the direct solve stays.
     const cpu::PressureSolve* other_solve = nullptr;
-    /// As project() in operators.h, with phi / h from `beyond` beyond open boundaries; null: 0.
+    /// As project() in operators.h, with phi / h and the wind from `beyond` beyond open boundaries; null: 0, and the edge's own wind.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                 const cpu::FreeAir* beyond = nullptr, SolidSolve* around = nullptr);
+                 const cpu::Beyond* beyond = nullptr, SolidSolve* around = nullptr);
     /// Obstacles in the box; null: none.
     std::unique_ptr<Solids> solids;
     /// Slopes of the last steps' phi over closed faces: history of the pressure around obstacles, as q is that of the air.

@@ -1,0 +1,346 @@
+#include "fluid/cpu/outer_wind.h"
+
+#include "fluid/core/numerics.h"
+#include "fluid/core/wind_core.h"
+#include "fluid/cpu/cells.h"
+#include "fluid/grid/box_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+namespace windrow::cpu {
+
+/// The outer wind that is shown now.
+class AirOfNow {
+  public:
+    explicit AirOfNow(Cells& outer) : outer_(outer), view_(outer.shown_view(false)) {}
+
+    [[nodiscard]] const WindView& view() const { return view_; }
+    [[nodiscard]] float pressure(std::size_t cell) const { return outer_.shown_pressure(cell); }
+    template <class Visit>
+    void for_each_filled(const Visit& visit) const {
+        outer_.for_each_filled(visit);
+    }
+
+  private:
+    Cells& outer_;
+    WindView view_;
+};
+
+namespace {
+
+// Cells of a line that is blended along x, on the stack.
+constexpr int k_longest_line = 2 * k_max_axis_cells;
+
+int wrapped(int index, int count) {
+    const int rest = index % count;
+    return rest < 0 ? rest + count : rest;
+}
+
+} // namespace
+
+OuterWind::OuterWind(const Box& box, Cells& outer) : box_(box), outer_(outer) {
+    outer.keep_pressure();
+    const glm::ivec3 padded = box.cells + k_halo;
+    const auto cells =
+        static_cast<std::size_t>(padded.x) * static_cast<std::size_t>(padded.y) * static_cast<std::size_t>(padded.z);
+    for (Buffer<glm::vec4>* field : {&now_, &end_, &from_, &to_, &carried_, &traced_})
+        *field = Buffer<glm::vec4>(cells);
+    // As much of the outer box as may lie around this one: a step does not allocate.
+    const Box& around = outer.box();
+    std::size_t most = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        places_[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(padded[axis]));
+        const double ratio = static_cast<double>(box.cell_size) / static_cast<double>(around.cell_size);
+        const auto spanned = static_cast<int>(std::min(std::ceil(padded[axis] * ratio), 1.0 * k_longest_line)) + 3;
+        const int count = around.rows && axis == 1 ? around.cells.y : spanned;
+        most *= static_cast<std::size_t>(around.boundaries.periodic(axis) ? count : std::min(count, around.cells[axis]));
+        if (axis == 0) {
+            points_.reserve(static_cast<std::size_t>(count));
+            winds_.reserve(static_cast<std::size_t>(count));
+        }
+    }
+    brick_.reserve(most);
+}
+
+std::size_t OuterWind::memory_bytes() const {
+    std::size_t bytes =
+        brick_.capacity() * sizeof(glm::vec4) + points_.capacity() * sizeof(glm::dvec3) + winds_.capacity() * sizeof(glm::vec3);
+    for (const Buffer<glm::vec4>* field : {&now_, &end_, &from_, &to_, &carried_, &traced_})
+        bytes += field->bytes();
+    for (const std::vector<Place>& places : places_)
+        bytes += places.capacity() * sizeof(Place);
+    return bytes;
+}
+
+// --- Reading the outer wind --------------------------------------------------------------------------------------------------
+
+// The share along an axis is that of the outer view's own sampling (kernels/box_points.inl).
+void OuterWind::place(const Window& window, const AirOfNow& air) {
+    const Box& box = air.view().box();
+    const Window outer = air.view().window();
+    const BlendZone zone = air.view().blend_zone();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int count = box.cells[axis];
+        const bool periodic = box.boundaries.periodic(axis);
+        const auto is_open = [&](int end) { return box.boundaries.at(axis, end).kind == BoundaryKind::open; };
+        int lowest = k_longest_line, highest = -k_longest_line;
+        std::vector<Place>& places = places_[static_cast<std::size_t>(axis)];
+        for (std::size_t n = 0; n < places.size(); ++n) {
+            const int cell = static_cast<int>(n) - k_halo_low;
+            const glm::dvec3 centre = window.centre(cell, cell, cell);
+            const double local = outer.local(centre)[axis];
+            const double sample = periodic ? local - 0.5 : std::clamp(local, 0.5, count - 0.5) - 0.5;
+            Place& at = places[n];
+            at.low = static_cast<int>(std::floor(sample));
+            if (!periodic)
+                at.low = std::clamp(at.low, 0, std::max(0, count - 2));
+            at.between = count > 1 ? static_cast<float>(sample - at.low) : 0.0f;
+            at.share = numerics::windrow_edge_share(is_open(0) ? static_cast<float>(1.0 + local) : 1.0f,
+                                                    is_open(1) ? static_cast<float>(1.0 + count - local) : 1.0f, 0.0f);
+            if (zone.reach[axis] > 0.0f) {
+                const auto from_point =
+                    static_cast<float>((centre[axis] - zone.point[axis]) / static_cast<double>(box.cell_size));
+                at.share *= numerics::windrow_edge_share((zone.reach[axis] + from_point) / zone.width,
+                                                         (zone.reach[axis] - from_point) / zone.width, 1.0f);
+            }
+            lowest = std::min(lowest, at.low);
+            highest = std::max(highest, at.low + (count > 1 ? 1 : 0));
+        }
+        brick_low_[axis] = lowest;
+        brick_cells_[axis] = highest - lowest + 1;
+    }
+}
+
+// D and p at the outer cells around the box; beside bodies the air as it is read there (fluid/solids/reading.h).
+void OuterWind::fill_brick(const AirOfNow& air) {
+    const WindView& view = air.view();
+    const Box& box = view.box();
+    const AmbientWind& ambient = view.ambient();
+    const std::span<const glm::vec4> field = view.field();
+    const glm::ivec3 size = brick_cells_;
+    brick_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z));
+    points_.resize(static_cast<std::size_t>(size.x));
+    winds_.resize(points_.size());
+    const auto outer_cell = [&](int axis, int n) { return wrapped(brick_low_[axis] + n, box.cells[axis]); };
+    const auto ambient_of = [&](int j, int k) {
+        const glm::dvec3 first = view.window().centre(outer_cell(0, 0), outer_cell(1, j), outer_cell(2, k));
+        if (!ambient.gusting()) {
+            std::fill(winds_.begin(), winds_.end(), ambient.profile_at(first.y) * ambient.mean());
+            return;
+        }
+        for (int i = 0; i < size.x; ++i)
+            points_[static_cast<std::size_t>(i)] = view.window().centre(outer_cell(0, i), outer_cell(1, j), outer_cell(2, k));
+        ambient.velocity(points_, winds_);
+    };
+    std::size_t at = 0;
+    for (int k = 0; k < size.z; ++k)
+        for (int j = 0; j < size.y; ++j) {
+            ambient_of(j, k);
+            for (int i = 0; i < size.x; ++i, ++at) {
+                const std::size_t n = box.index(outer_cell(0, i), outer_cell(1, j), outer_cell(2, k));
+                brick_[at] = glm::vec4(glm::vec3(field[n]) - winds_[static_cast<std::size_t>(i)], air.pressure(n));
+            }
+        }
+    air.for_each_filled([&](std::uint32_t cell, glm::vec3 filled) {
+        const auto n = static_cast<int>(cell);
+        const glm::ivec3 place(n % box.cells.x, n / box.cells.x % box.cells.y, n / (box.cells.x * box.cells.y));
+        glm::ivec3 in_brick = place - brick_low_;
+        for (int axis = 0; axis < 3; ++axis)
+            if (box.boundaries.periodic(axis))
+                in_brick[axis] = wrapped(in_brick[axis], box.cells[axis]);
+        if (glm::any(glm::lessThan(in_brick, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(in_brick, size)))
+            return;
+        const glm::vec3 change = filled - glm::vec3(field[cell]);
+        brick_[(static_cast<std::size_t>(in_brick.z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(in_brick.y)) *
+                   static_cast<std::size_t>(size.x) +
+               static_cast<std::size_t>(in_brick.x)] += glm::vec4(change, 0.0f);
+    });
+}
+
+void OuterWind::sample(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {
+    if (outer_.asleep()) { // D is below its sleep speed
+        std::fill_n(to.data(), to.size(), glm::vec4(0.0f));
+        return;
+    }
+    const AirOfNow air(outer_);
+    place(window, air);
+    fill_brick(air);
+    const std::size_t width = places_[0].size(), height = places_[1].size();
+    const std::ptrdiff_t row = brick_cells_.x, plane = row * brick_cells_.y;
+    const std::ptrdiff_t up = brick_cells_.y > 1 ? row : 0, deep = brick_cells_.z > 1 ? plane : 0, along = row > 1 ? 1 : 0;
+    parallel_for(static_cast<int>(places_[2].size()), [&](int padded) {
+        const Place& z = places_[2][static_cast<std::size_t>(padded)];
+        std::array<glm::vec4, k_longest_line> line;
+        for (std::size_t j = 0; j < height; ++j) {
+            const Place& y = places_[1][j];
+            const glm::vec4* const corner = brick_.data() + (z.low - brick_low_.z) * plane + (y.low - brick_low_.y) * row;
+            for (std::ptrdiff_t i = 0; i < row; ++i) {
+                const glm::vec4 near = glm::mix(corner[i], corner[i + up], y.between);
+                const glm::vec4 far = glm::mix(corner[i + deep], corner[i + deep + up], y.between);
+                line[static_cast<std::size_t>(i)] = glm::mix(near, far, z.between);
+            }
+            glm::vec4* const result = to.data() + (static_cast<std::size_t>(padded) * height + j) * width;
+            const float share = y.share * z.share;
+            for (std::size_t i = 0; i < width; ++i) {
+                const Place& x = places_[0][i];
+                const glm::vec4* const first = line.data() + (x.low - brick_low_.x);
+                result[i] = share * x.share * glm::mix(first[0], first[along], x.between);
+            }
+        }
+    });
+}
+
+// --- In time -----------------------------------------------------------------------------------------------------------------
+
+void OuterWind::renew(const Window& window, const ParallelFor& parallel_for) {
+    sample(window, now_, parallel_for);
+    origin_ = window.origin_cells;
+    holds_ = true;
+    start_ = next_ = &now_;
+}
+
+void OuterWind::move_to(const Window& window, const ParallelFor& parallel_for) {
+    if (holds_ && origin_ == window.origin_cells)
+        return;
+    const CellIndex by = window.origin_cells - origin_;
+    const glm::ivec3 padded = box_.cells + k_halo;
+    if (!holds_ || (box_.rows && by.y != 0) || glm::any(glm::greaterThanEqual(glm::abs(by), CellIndex(padded))))
+        return renew(window, parallel_for);
+    // Cells that come take the outer wind of now: the time in which the others lag behind is at most a step.
+    sample(window, end_, parallel_for);
+    std::copy_n(now_.data(), now_.size(), from_.data());
+    const glm::ivec3 shift(by);
+    std::size_t n = 0;
+    for (int k = 0; k < padded.z; ++k)
+        for (int j = 0; j < padded.y; ++j)
+            for (int i = 0; i < padded.x; ++i, ++n) {
+                const glm::ivec3 source = glm::ivec3(i, j, k) + shift;
+                const bool stays =
+                    glm::all(glm::greaterThanEqual(source, glm::ivec3(0))) && glm::all(glm::lessThan(source, padded));
+                now_[n] = stays ? from_[(static_cast<std::size_t>(source.z) * static_cast<std::size_t>(padded.y) +
+                                         static_cast<std::size_t>(source.y)) *
+                                            static_cast<std::size_t>(padded.x) +
+                                        static_cast<std::size_t>(source.x)]
+                                : end_[n];
+            }
+    origin_ = window.origin_cells;
+}
+
+void OuterWind::begin_step(const Window& window, float way, const ParallelFor& parallel_for) {
+    move_to(window, parallel_for);
+    sample(window, end_, parallel_for);
+    if (way < 1.0f)
+        for (std::size_t n = 0; n < end_.size(); ++n)
+            end_[n] = now_[n] + way * (end_[n] - now_[n]);
+}
+
+void OuterWind::begin_part(int part, int parts, const ParallelFor& parallel_for) {
+    start_ = part == 0 ? &now_ : &from_;
+    next_ = part + 1 == parts ? &end_ : &to_;
+    if (parts == 1)
+        return;
+    const auto between = [&](Buffer<glm::vec4>& field, int at) {
+        const float way = static_cast<float>(at) / static_cast<float>(parts);
+        const std::size_t plane = field.size() / places_[2].size();
+        parallel_for(static_cast<int>(places_[2].size()), [&](int k) {
+            const std::size_t first = plane * static_cast<std::size_t>(k);
+            for (std::size_t n = first; n < first + plane; ++n)
+                field[n] = now_[n] + way * (end_[n] - now_[n]);
+        });
+    };
+    if (start_ == &from_)
+        between(from_, part);
+    if (next_ == &to_)
+        between(to_, part + 1);
+}
+
+void OuterWind::end_step() {
+    std::swap(now_, end_);
+    start_ = next_ = &now_;
+}
+
+void OuterWind::restore(std::span<const float> values, CellIndex origin) {
+    std::copy(values.begin(), values.end(), &now_.data()->x);
+    origin_ = origin;
+    holds_ = true;
+    start_ = next_ = &now_;
+}
+
+glm::vec4 OuterWind::at(int i, int j, int k) const {
+    glm::vec4 change = (*start_)[padded_index(box_.cells, {i, j, k})];
+    change.w = 0.0f;
+    return change;
+}
+
+float OuterWind::pressure_at(int i, int j, int k) const {
+    return now_[padded_index(box_.cells, {i, j, k})].w;
+}
+
+// --- What a sub-step reads ---------------------------------------------------------------------------------------------------
+
+float OuterWind::height(int row) const {
+    return box_.rows ? static_cast<float>(box_.rows->height(row)) : box_.cell_size * static_cast<float>(row);
+}
+
+// [m/s^2] dp over an axis at a cell of the box or its halo, one-sided where the halo ends.
+float OuterWind::slope(const Buffer<glm::vec4>& of, glm::ivec3 at, int axis) const {
+    glm::ivec3 low = at, high = at;
+    low[axis] = std::max(at[axis] - 1, -k_halo_low);
+    high[axis] = std::min(at[axis] + 1, box_.cells[axis] + k_halo_high - 1);
+    const float distance =
+        axis == 1 ? height(high.y) - height(low.y) : box_.cell_size * static_cast<float>(high[axis] - low[axis]);
+    return (of[padded_index(box_.cells, high)].w - of[padded_index(box_.cells, low)].w) / distance;
+}
+
+void OuterWind::compose(const Around& around, const ParallelFor& parallel_for) {
+    factor_ = around.fresh ? around.dt : 0.5f * around.dt;
+    per_potential_ = factor_ / box_.cell_size;
+    const float departs = around.fresh ? 0.0f : 0.5f * around.dt;
+    const Buffer<glm::vec4>&start = *start_, &next = *next_;
+    const glm::ivec3 cells = box_.cells, padded = cells + k_halo;
+    const auto wind_of = [](const Ambient& ambient, std::size_t n) {
+        return ambient.cells == nullptr ? glm::vec3(ambient.everywhere)
+                                        : glm::vec3(ambient.cells[4 * n], ambient.cells[4 * n + 1], ambient.cells[4 * n + 2]);
+    };
+    parallel_for(padded.z, [&](int plane) {
+        for (int row = 0; row < padded.y; ++row) {
+            const int j = row - k_halo_low, k = plane - k_halo_low;
+            const bool inside = j >= 0 && j < cells.y && k >= 0 && k < cells.z;
+            std::size_t n = padded_index(cells, {-k_halo_low, j, k});
+            for (int column = 0; column < padded.x; ++column, ++n) {
+                const int i = column - k_halo_low;
+                if (inside && i >= 0 && i < cells.x) {
+                    if (around.relaxes)
+                        carried_[n] = glm::vec4(wind_of(around.carried, n) + glm::vec3(start[n]), 0.0f);
+                    continue;
+                }
+                glm::vec3 carried = wind_of(around.carried, n) + glm::vec3(start[n]);
+                for (int axis = 0; axis < 3 && departs > 0.0f; ++axis)
+                    carried[axis] -= departs * slope(start, {i, j, k}, axis);
+                carried_[n] = glm::vec4(carried, 0.0f);
+                traced_[n] = glm::vec4(wind_of(around.traced, n) + glm::vec3(next[n]), 0.0f);
+            }
+        }
+    });
+}
+
+float OuterWind::Sides::potential(glm::ivec3 cell, int axis, int end) const {
+    cell[axis] += end == 0 ? -1 : 1;
+    return outer_.per_potential_ * (*outer_.next_)[padded_index(outer_.box_.cells, cell)].w;
+}
+
+float OuterWind::Sides::rise(glm::ivec3 cell, int axis, int end) const {
+    glm::ivec3 ghost = cell;
+    ghost[axis] += end == 0 ? -1 : 1;
+    const Buffer<glm::vec4>& next = *outer_.next_;
+    const auto wind = [&](glm::ivec3 at) {
+        return next[padded_index(outer_.box_.cells, at)][axis] + outer_.factor_ * outer_.slope(next, at, axis);
+    };
+    return wind(ghost) - wind(cell);
+}
+
+} // namespace windrow::cpu
