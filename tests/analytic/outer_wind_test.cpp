@@ -148,5 +148,181 @@ INSTANTIATE_TEST_SUITE_P(
                            .twice = 0.13}),
     [](const auto& suite) { return std::string(suite.param.name); });
 
+// --- A vortex in a plane -----------------------------------------------------------------------------------------------------
+
+/// A column of swirling air that the wind carries along x: a steady flow beside that. Its stream function is a Gaussian.
+struct Vortex {
+    double start = 0.0; ///< [m] along x
+    double sigma = 5.0; ///< [m]
+    double speed = 2.0; ///< [m/s] its fastest
+    glm::vec3 wind{5.0f, 0.0f, 0.0f};
+
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 at, double time) const {
+        const double x = (at.x - start - double(wind.x) * time) / sigma, z = at.z / sigma;
+        const double swirl = speed * std::exp(0.5 * (1.0 - x * x - z * z));
+        return wind + glm::vec3(float(-swirl * z), 0.0f, float(swirl * x));
+    }
+};
+
+Config plane_box(double size_x, double size_z, double cell, double middle = 0.0) {
+    Boundaries boundaries;
+    boundaries.y_low.kind = boundaries.y_high.kind = BoundaryKind::free_slip;
+    const auto cells = [&](double size) { return static_cast<int>(std::lround(size / cell)); };
+    return {.cells = {cells(size_x), 2, cells(size_z)},
+            .cell_size = float(cell),
+            .boundaries = boundaries,
+            .centre = {middle, 0.0, 0.0},
+            .relaxation_time = 0.0f};
+}
+
+void set_to(Wind& wind, const Vortex& vortex) {
+    wind.set_velocity([&](glm::dvec3 at) { return vortex.velocity(at, 0.0); });
+}
+
+/// Of the difference from the vortex over the vortex's own, both over the whole inner box.
+double off_vortex(const Wind& wind, const Vortex& vortex, double time) {
+    double apart = 0.0, own = 0.0;
+    test::for_each_cell(wind, [&](glm::dvec3 at, std::size_t n) {
+        const glm::vec3 truth = vortex.velocity(at, time), off = glm::vec3(wind.field()[n]) - truth;
+        apart += double(glm::dot(off, off));
+        own += double(glm::dot(truth - vortex.wind, truth - vortex.wind));
+    });
+    return std::sqrt(apart / own);
+}
+
+double energy_beside(const Wind& wind, glm::vec3 mean) {
+    double squares = 0.0;
+    for (const glm::vec4& u : wind.field())
+        squares += double(glm::dot(glm::vec3(u) - mean, glm::vec3(u) - mean));
+    return squares;
+}
+
+// What leaves through the far side of the inner box leaves nothing behind.
+TEST(OuterWindVortex, Leaves) {
+    const Vortex vortex;
+    Config around = plane_box(160.0, 64.0, 2.0, 30.0);
+    around.ambient = vortex.wind;
+    const auto outer = shared(around);
+    Wind inner = within(outer, plane_box(32.0, 32.0, 1.0));
+    for (Wind* wind : {outer.get(), &inner})
+        set_to(*wind, vortex);
+    const double before = energy_beside(inner, vortex.wind);
+    for (int n = 0; n < 110; ++n) { // 55 m: its rim is five sigma beyond the box
+        outer->step(0.1);
+        inner.step(0.1);
+    }
+    WINDROW_EXPECT_FIGURE("outer_wind.vortex_leaves.energy", energy_beside(inner, vortex.wind) / before, 1e-4);
+}
+
+// It comes in through the near side from an outer wind that alone had it.
+TEST(OuterWindVortex, Enters) {
+    const Vortex vortex{.start = -35.0}; // its middle three sigma before the box
+    Config around = plane_box(160.0, 64.0, 2.0);
+    around.ambient = vortex.wind;
+    const auto outer = shared(around);
+    set_to(*outer, vortex);
+    Wind inner = within(outer, plane_box(40.0, 40.0, 1.0));
+    for (int n = 0; n < 35; ++n) {
+        outer->step(0.2);
+        inner.step(0.2);
+    }
+    WINDROW_EXPECT_FIGURE("outer_wind.vortex_enters.error", off_vortex(inner, vortex, 7.0), 0.10);
+    double apart = 0.0, own = 0.0;
+    test::for_each_cell(inner, [&](glm::dvec3 at, std::size_t) {
+        const glm::vec3 truth = vortex.velocity(at, 7.0), off = outer->velocity(at) - truth;
+        apart += double(glm::dot(off, off));
+        own += double(glm::dot(truth - vortex.wind, truth - vortex.wind));
+    });
+    test::figure("outer_wind.vortex_enters.outer", std::sqrt(apart / own));
+}
+
+// Both levels and the steps are halved: the order is that of the step. `rate`: steps of the inner wind for one of the outer.
+double half_in(double cell, int rate) {
+    const Vortex vortex{.start = -30.0};
+    Config around = plane_box(128.0, 64.0, 2.0 * cell);
+    around.ambient = vortex.wind;
+    around.ticks.hz = 10.0 / cell / rate;
+    const auto outer = shared(around);
+    set_to(*outer, vortex);
+    Config inside = plane_box(32.0, 32.0, cell);
+    inside.ticks.hz = 10.0 / cell;
+    Wind inner = within(outer, inside);
+    const double dt = 0.1 * cell;
+    const int steps = static_cast<int>(std::lround(3.0 / dt)); // its middle is one metre before the side
+    double time = 0.0;
+    for (int n = 0; n < steps; ++n) {
+        if (rate == 1)
+            outer->step(dt);
+        else
+            (void)outer->advance(dt);
+        inner.step(dt);
+        time += dt;
+    }
+    // An outer wind with ticks is shown a tick late.
+    return off_vortex(inner, vortex, rate == 1 ? time : time - rate * dt);
+}
+
+TEST(OuterWindVortex, OrderOfTwoLevels) {
+    const double coarse = half_in(1.0, 1), middle = half_in(0.5, 1);
+    test::figure("outer_wind.order.error", middle);
+    EXPECT_GE(test::figure("outer_wind.order.first", std::log2(coarse / middle)), 1.8);
+    if (!test::whole_sweeps())
+        return;
+    const double a = half_in(1.0, 3), b = half_in(.5, 3), c = half_in(.25, 3);
+    std::printf("third %g %g %g: %g %g\n", a, b, c, std::log2(a / b), std::log2(b / c));
+    const double fine = half_in(0.25, 1);
+    EXPECT_GE(test::figure("outer_wind.order.second", std::log2(middle / fine)), 2.2);
+}
+
+// --- A window that walks -----------------------------------------------------------------------------------------------------
+
+TEST(OuterWindWalks, PastABush) {
+    Upwind bush{.name = "walk",
+                .plants = {PlantDrag{.position = {0.0, 0.0, 10.0}, .radius = 8.0f, .height = 10.0f, .area = 80.0f}}};
+    Config fine = fine_box();
+    fine.cells = {96, 20, 64};
+    Config coarse = fine;
+    coarse.cells /= 2;
+    coarse.cell_size = 2.0f;
+    coarse.ticks.hz = 10.0;
+    Config small{.cells = {24, 12, 24},
+                 .boundaries = Boundaries::open_over_floor(),
+                 .centre = {-20.0, 0.0, -4.0},
+                 .relaxation_time = 0.0f};
+    Wind truth = made(fine);
+    const auto outer = shared(coarse);
+    for (Wind* wind : {&truth, outer.get()}) {
+        add_to(*wind, bush);
+        test::take_steps(*wind, 200, 1.0 / 20.0);
+    }
+    Wind inner = within(outer, small);
+    small.ambient = fine.ambient;
+    Wind alone = made(small);
+    for (Wind* wind : {&inner, &alone})
+        add_to(*wind, bush);
+    constexpr int k_frames = 240;
+    double whole = 0.0, middle = 0.0, lone = 0.0;
+    for (int n = 1; n <= k_frames; ++n) { // 40 m in 8 s, at a slant
+        const glm::dvec3 walker(-20.0 + 40.0 * n / k_frames, 0.0, -4.0 + 12.0 * n / k_frames);
+        for (Wind* wind : {&inner, &alone}) {
+            (void)wind->follow(walker);
+        }
+        truth.step(1.0 / 30.0);
+        (void)outer->advance(1.0 / 30.0);
+        inner.step(1.0 / 30.0);
+        alone.step(1.0 / 30.0);
+        if (n % 60 != 0)
+            continue;
+        const Off now = off(inner, truth);
+        std::printf("walk %d: %.4f %.4f outer %.4f alone %.4f\n", n, now.error, now.middle, now.outer, off(alone, truth).error);
+        whole = std::max(whole, now.error);
+        middle = std::max(middle, now.middle);
+        lone = std::max(lone, off(alone, truth).error);
+    }
+    WINDROW_EXPECT_FIGURE("outer_wind.walk.whole", whole, 0.13);
+    WINDROW_EXPECT_FIGURE("outer_wind.walk.middle", middle, 0.09);
+    test::figure("outer_wind.walk.alone", lone);
+}
+
 } // namespace
 } // namespace windrow

@@ -1,0 +1,223 @@
+// A wind inside another one: what it takes from the outer wind, and that it takes nothing where that is the ambient wind.
+#include "tests/winds.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace windrow {
+namespace {
+
+using test::made;
+
+std::shared_ptr<Wind> shared(const Config& config) {
+    return std::make_shared<Wind>(made(config));
+}
+
+Wind within(const std::shared_ptr<Wind>& outer, const Config& config) {
+    auto wind = Wind::create(config, outer);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+Config around() {
+    return {.cells = {20, 8, 20}, .cell_size = 2.0f, .boundaries = Boundaries::open_over_floor(), .ticks = {.hz = 10.0}};
+}
+Config inside() {
+    return {.cells = {12, 8, 12}, .boundaries = Boundaries::open_over_floor()};
+}
+const DirectionalMotor k_fan{.position = {-12.0, 3.0, 0.0}, .region = Sphere{5.0f}, .law = Drive{.speed = 9.0f}};
+
+struct Same {
+    const char* name;
+    Config config{}; ///< of mean wind, profile and gusts
+    double bound = 0.0;
+};
+void PrintTo(const Same& value, std::ostream* out) {
+    *out << value.name;
+}
+
+class OuterWindIsAmbient : public testing::TestWithParam<Same> {};
+
+// An outer wind that is the ambient wind leaves the bits of a wind without one: with a motor in the inner box, in steps and in ticks,
+// while the box moves.
+TEST_P(OuterWindIsAmbient, LeavesTheBits) {
+    const Config& air = GetParam().config;
+    const auto with_air = [&](Config config) {
+        config.ambient = air.ambient;
+        config.profile = air.profile;
+        config.gusts = air.gusts;
+        return config;
+    };
+    for (const bool ticks : {false, true}) {
+        const auto outer = shared(with_air(around()));
+        Wind nested = within(outer, inside()), alone = made(with_air(inside()));
+        double worst = 0.0;
+        for (Wind* wind : {&nested, &alone})
+            (void)test::added(*wind, DirectionalMotor{.position = {1.0, 2.0, 0.0}, .law = Drive{.speed = 6.0f}});
+        for (int n = 0; n < 40; ++n) {
+            const double dt = n % 3 == 0 ? 1.0 / 30.0 : 1.0 / 45.0;
+            for (Wind* wind : {outer.get(), &nested, &alone}) {
+                if (wind != outer.get())
+                    ASSERT_TRUE(wind->follow({0.1 * n, 0.0, -0.05 * n}));
+                if (ticks)
+                    (void)wind->advance(dt);
+                else
+                    (void)wind->step(dt);
+            }
+            worst = std::max(worst, test::largest_apart(nested.field(), alone.field()));
+            std::vector<double> places{0.1 * n, 0.1 * n + 3.9, 9.5, 30.0}; // inside, in the blend zone, beyond, beyond both
+            if (air.profile || air.gusts.intensity > 0.0f)
+                places.resize(1); // farther out the wind is read between the outer wind's cells
+            for (const double x : places)
+                worst = std::max(worst,
+                                 double(glm::length(nested.velocity({x, 1.2, -0.05 * n}) - alone.velocity({x, 1.2, -0.05 * n}))));
+        }
+        WINDROW_EXPECT_FIGURE(std::string("outer_wind.ambient.") + GetParam().name + (ticks ? ".ticks" : ""), worst,
+                              GetParam().bound);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, OuterWindIsAmbient,
+                         testing::Values(Same{"still"}, Same{"uniform", {.ambient = {4.0f, 0.0f, 1.0f}}},
+                                         Same{"profile", {.ambient = {6.0f, 0.0f, 0.0f}, .profile = LogProfile{}}},
+                                         Same{"gusts", {.ambient = {6.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}}, 1e-5}),
+                         [](const auto& suite) { return std::string(suite.param.name); });
+
+TEST(OuterWind, IsWhatTheInnerWindIsBeyondItsBox) {
+    Config config = around();
+    config.ambient = {5.0f, 0.0f, 0.0f};
+    const auto outer = shared(config);
+    (void)test::added(*outer, k_fan);
+    Wind inner = within(outer, inside());
+    for (int n = 0; n < 60; ++n) {
+        (void)outer->advance(1.0 / 30.0);
+        (void)inner.advance(1.0 / 30.0);
+    }
+    const glm::dvec3 beyond(-12.0, 3.0, 0.0);
+    EXPECT_GT(outer->velocity(beyond).x, 7.0f);
+    EXPECT_EQ(inner.velocity(beyond), outer->velocity(beyond));
+    // The fan's jet has come in, and nothing jumps where the box ends.
+    EXPECT_GT(inner.velocity({-2.0, 3.0, 0.0}).x, 6.0f);
+    float largest = 0.0f;
+    for (int n = 0; n < 240; ++n) {
+        const double x = -9.0 + 0.025 * n;
+        largest = std::max(largest, glm::length(inner.velocity({x + 0.025, 3.0, 0.5}) - inner.velocity({x, 3.0, 0.5})));
+    }
+    WINDROW_EXPECT_FIGURE("outer_wind.blend.largest_change", double(largest), 0.1);
+    std::vector<glm::vec4> felt(1);
+    inner.velocity(std::vector{beyond}, felt);
+    EXPECT_EQ(glm::vec3(felt[0]), outer->velocity(beyond));
+}
+
+TEST(OuterWind, FillsNewCells) {
+    Config config = around();
+    config.relaxation_time = 0.0f;
+    const auto outer = shared(config);
+    outer->set_velocity([](glm::dvec3 at) { return glm::vec3(3.0f, 0.0f, 0.1f * float(at.x)); });
+    Wind inner = within(outer, inside());
+    EXPECT_EQ(inner.velocity({2.5, 2.0, 0.0}), outer->velocity({2.5, 2.0, 0.0}));
+    inner.set_velocity([](glm::dvec3) { return glm::vec3(0.0f); });
+    ASSERT_TRUE(inner.follow({4.0, 0.0, 0.0}));
+    const Box& box = inner.box();
+    for (int i = 0; i < box.cells.x; ++i) {
+        const glm::dvec3 centre = inner.view().window().centre(i, 2, 5);
+        const glm::vec3 cell = inner.field()[box.index(i, 2, 5)];
+        const glm::vec3 wanted = i < box.cells.x - 4 ? glm::vec3(0.0f) : outer->velocity(centre);
+        EXPECT_LE(glm::length(cell - wanted), 1e-6f) << i;
+    }
+    // A jump beyond the box starts afresh in the outer wind.
+    ASSERT_TRUE(inner.follow({-10.0, 0.0, 0.0}));
+    EXPECT_LE(glm::length(inner.velocity({-10.0, 2.0, 0.0}) - outer->velocity({-10.0, 2.0, 0.0})), 1e-6f);
+}
+
+TEST(OuterWind, SleepsWithTheOuterWind) {
+    Config config = around();
+    config.relaxation_time = 1.0f;
+    Config small = inside();
+    small.relaxation_time = 1.0f;
+    const auto outer = shared(config);
+    Wind inner = within(outer, small);
+    const auto run = [&](int frames) {
+        for (int n = 0; n < frames; ++n) {
+            (void)outer->advance(0.1);
+            (void)inner.advance(0.1);
+        }
+    };
+    run(20);
+    EXPECT_TRUE(outer->diagnostics().asleep);
+    EXPECT_TRUE(inner.diagnostics().asleep);
+    const MotorId fan = test::added(*outer, k_fan);
+    run(20);
+    EXPECT_FALSE(outer->diagnostics().asleep);
+    EXPECT_FALSE(inner.diagnostics().asleep);
+    EXPECT_GT(glm::length(inner.velocity({-4.0, 3.0, 0.0})), 0.05f);
+    ASSERT_TRUE(outer->motors().remove(fan));
+    run(300);
+    EXPECT_TRUE(outer->diagnostics().asleep);
+    EXPECT_TRUE(inner.diagnostics().asleep);
+    EXPECT_EQ(inner.velocity({-4.0, 3.0, 0.0}), glm::vec3(0.0f));
+}
+
+TEST(OuterWind, HasTheAmbientWindOfAllLevels) {
+    const auto outer = shared(around());
+    Wind inner = within(outer, inside());
+    EXPECT_FALSE(inner.set_ambient({1.0f, 0.0f, 0.0f}));
+    EXPECT_FALSE(inner.set_gusts({.intensity = 0.2f}));
+    ASSERT_TRUE(outer->set_ambient({7.0f, 0.0f, 0.0f}));
+    ASSERT_TRUE(outer->set_gusts({.intensity = 0.2f}));
+    for (Wind* wind : {outer.get(), &inner})
+        test::take_steps(*wind, 1, 0.05);
+    EXPECT_EQ(inner.ambient(), glm::vec3(7.0f, 0.0f, 0.0f));
+    EXPECT_EQ(inner.config().gusts.intensity, 0.2f);
+    EXPECT_LE(test::off_ambient(inner), 1e-4);
+}
+
+// A snapshot of each level goes on with the same bits, in the middle of frames and after the box has moved.
+TEST(OuterWind, SnapshotsGoOnWithTheSameBits) {
+    Config config = around();
+    config.ambient = {5.0f, 0.0f, 0.0f};
+    const auto outer = shared(config);
+    (void)test::added(*outer, k_fan);
+    Wind inner = within(outer, inside());
+    const auto frame = [](const std::shared_ptr<Wind>& large, Wind& small, int n) {
+        ASSERT_TRUE(small.follow({0.05 * n, 0.0, 0.02 * n}));
+        (void)large->advance(1.0 / 60.0);
+        (void)small.advance(1.0 / 60.0);
+    };
+    for (int n = 0; n < 61; ++n)
+        frame(outer, inner, n);
+    const auto large = outer->save(), small = inner.save();
+    ASSERT_TRUE(large && small);
+    const auto outer_again = std::make_shared<Wind>(*Wind::load(*large));
+    auto inner_again = Wind::load(*small, {}, outer_again);
+    ASSERT_TRUE(inner_again) << inner_again.error();
+    for (int n = 61; n < 100; ++n) {
+        frame(outer, inner, n);
+        frame(outer_again, *inner_again, n);
+    }
+    EXPECT_EQ(test::largest_apart(outer->field(), outer_again->field()), 0.0);
+    EXPECT_EQ(test::largest_apart(inner.field(), inner_again->field()), 0.0);
+    EXPECT_EQ(inner.velocity({9.0, 2.0, 0.0}), inner_again->velocity({9.0, 2.0, 0.0}));
+
+    const auto no_outer = Wind::load(*small);
+    EXPECT_NE(no_outer.error().find("saved with an outer wind"), std::string::npos);
+    const auto one_too_many = Wind::load(*large, {}, outer);
+    EXPECT_NE(one_too_many.error().find("saved without an outer wind"), std::string::npos);
+}
+
+TEST(OuterWind, RejectsWhatItCannotBe) {
+    const auto outer = shared(around());
+    const auto error = [&](const std::function<void(Config&)>& change) {
+        return Wind::create(test::with(inside(), change), outer).error();
+    };
+    EXPECT_NE(error([](Config& config) { config.ambient.x = 1.0f; }).find("ambient, profile or gusts"), std::string::npos);
+    EXPECT_NE(error([](Config& config) { config.profile = LogProfile{}; }).find("ambient, profile or gusts"), std::string::npos);
+    EXPECT_NE(error([](Config& config) { config.scheme = Scheme::stable_fluids; }).find("second_order"), std::string::npos);
+    const std::string beyond = error([](Config& config) { config.centre.x = 15.0; });
+    EXPECT_NE(beyond.find("from 9 to 21 m along x"), std::string::npos) << beyond;
+    EXPECT_NE(error([](Config& config) { config.cells.y = 20; }).find("along y"), std::string::npos);
+}
+
+} // namespace
+} // namespace windrow
