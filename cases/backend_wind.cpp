@@ -29,14 +29,19 @@ Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, [
     if (!backend.is_cpu())
         return DeviceWind::create(config, backend, clock);
 #endif
-    auto wind = Wind::create(config);
+    return create(config, nullptr);
+}
+
+Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, std::shared_ptr<const Wind> outer) {
+    auto wind = Wind::create(config, std::move(outer));
     if (!wind)
         return wind.failure();
     return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(std::make_unique<Wind>(*std::move(wind))));
 }
 
-Result<std::unique_ptr<BackendWind>> BackendWind::load(std::span<const std::byte> bytes, const ParallelFor& parallel_for) {
-    auto wind = Wind::load(bytes, parallel_for);
+Result<std::unique_ptr<BackendWind>> BackendWind::load(std::span<const std::byte> bytes, const ParallelFor& parallel_for,
+                                                       std::shared_ptr<const Wind> outer) {
+    auto wind = Wind::load(bytes, parallel_for, std::move(outer));
     if (!wind)
         return wind.failure();
     return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(std::make_unique<Wind>(*std::move(wind))));

@@ -71,9 +71,11 @@ class BackendWind : public WindControl {
   public:
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
                                                                      BackendClock clock = BackendClock::off);
+    /// On the CPU, inside another wind.
+    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, std::shared_ptr<const Wind> outer);
     /// A wind on the CPU that goes on from what Wind::save returned.
-    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> load(std::span<const std::byte> bytes,
-                                                                   const ParallelFor& parallel_for);
+    [[nodiscard]] static Result<std::unique_ptr<BackendWind>>
+    load(std::span<const std::byte> bytes, const ParallelFor& parallel_for, std::shared_ptr<const Wind> outer = {});
     virtual ~BackendWind() = default;
     BackendWind(const BackendWind&) = delete;
     BackendWind& operator=(const BackendWind&) = delete;

@@ -9,23 +9,33 @@ using namespace cases;
 using detail::message;
 
 Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads, const Backend& backend) {
-    Config config = scene.air;
+    if (!scene.outer.empty() && !backend.is_cpu())
+        return Error{message(scene.file.string(), ": $.air.outer is a wind around the box, which runs on the CPU alone: drop "
+                                                  "--backend, or remove it.")};
+    auto levels = scene::SceneLevels::create(scene, threads);
+    if (!levels)
+        return levels.failure();
+    Config config = levels->inner_config();
     config.parallel_for = threads;
-    auto wind = BackendWind::create(config, backend, BackendClock::on);
+    auto wind = levels->size() > 0 ? BackendWind::create(config, levels->nearest())
+                                   : BackendWind::create(config, backend, BackendClock::on);
     if (!wind)
         return wind.failure().after(message(scene.file.string(), ": $.air: "));
-    Playback playback(scene, *std::move(wind));
+    Playback playback(scene, *std::move(levels), *std::move(wind));
     if (const auto begun = playback.air_.begin(*playback.wind_); !begun)
         return begun.failure();
     return playback;
 }
 
-Result<Playback> Playback::load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> wind,
-                                std::span<const std::byte> air) {
-    auto loaded = BackendWind::load(wind, threads);
+Result<Playback> Playback::load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> levels,
+                                std::span<const std::byte> wind, std::span<const std::byte> air) {
+    auto around = scene::SceneLevels::load(scene, threads, levels);
+    if (!around)
+        return around.failure();
+    auto loaded = BackendWind::load(wind, threads, around->nearest());
     if (!loaded)
         return loaded.failure();
-    Playback playback(scene, *std::move(loaded));
+    Playback playback(scene, *std::move(around), *std::move(loaded));
     if (const auto begun = playback.air_.load(air); !begun)
         return begun.failure();
     return playback;
@@ -33,6 +43,8 @@ Result<Playback> Playback::load(const scene::Scene& scene, ParallelFor threads, 
 
 Result<Diagnostics> Playback::step(const scene::FrameTimes& times) {
     const std::int64_t next = steps() + 1;
+    if (const auto around = levels_.advance_to(times.time_of_step(next)); !around)
+        return around.failure();
     if (const auto placed = air_.advance_to(*wind_, times.time_of_step(next)); !placed)
         return placed.failure();
     return wind_->step(times.length_of_step(next));

@@ -3,6 +3,7 @@
 
 #include "cases/backend_wind.h"
 #include "scene/scene_air.h"
+#include "scene/scene_levels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +20,9 @@ class Playback {
     [[nodiscard]] static Result<Playback> create(const scene::Scene& scene, ParallelFor threads,
                                                  const cases::Backend& backend = {});
 
-    /// Goes on from the bytes of Wind::save and SceneAir::save, on the CPU.
-    [[nodiscard]] static Result<Playback> load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> wind,
-                                               std::span<const std::byte> air);
+    /// Goes on from the bytes of SceneLevels::save, Wind::save and SceneAir::save, on the CPU.
+    [[nodiscard]] static Result<Playback> load(const scene::Scene& scene, ParallelFor threads, std::span<const std::byte> levels,
+                                               std::span<const std::byte> wind, std::span<const std::byte> air);
 
     /// Advances by one step of the times given: what moves is put where it is at the step's end, and the air follows.
     [[nodiscard]] Result<Diagnostics> step(const scene::FrameTimes& times);
@@ -34,6 +35,7 @@ class Playback {
     [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] cases::BackendWind& wind() { return *wind_; }
     [[nodiscard]] const scene::SceneAir& air() const { return air_; }
+    [[nodiscard]] const scene::SceneLevels& levels() const { return levels_; }
     [[nodiscard]] const scene::Scene& scene() const { return air_.scene(); }
 
     using ActingMotor = scene::SceneAir::ActingMotor;
@@ -44,8 +46,10 @@ class Playback {
     [[nodiscard]] std::vector<scene::SceneAir::StandingObstacle> standing() const { return air_.standing(time()); }
 
   private:
-    Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind) : wind_(std::move(wind)), air_(scene) {}
+    Playback(const scene::Scene& scene, scene::SceneLevels levels, std::unique_ptr<cases::BackendWind> wind)
+        : levels_(std::move(levels)), wind_(std::move(wind)), air_(scene::SceneAir::within(scene)) {}
 
+    scene::SceneLevels levels_;
     std::unique_ptr<cases::BackendWind> wind_;
     scene::SceneAir air_;
 };

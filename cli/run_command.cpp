@@ -58,8 +58,13 @@ bool check_parts(const RunRequest& request, const Console& console) {
 bool check_memory(const scene::Scene& scene, bool vdb, const Console& console) {
     constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame of the cells on its way out
     const glm::ivec3 cells = scene.air.cells;
-    const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
-                                 static_cast<std::uint64_t>(cells.z);
+    const auto bytes_of = [](glm::ivec3 box) {
+        return k_bytes_a_cell * static_cast<std::uint64_t>(box.x) * static_cast<std::uint64_t>(box.y) *
+               static_cast<std::uint64_t>(box.z);
+    };
+    std::uint64_t needed = bytes_of(cells);
+    for (const scene::SceneLevel& level : scene.outer)
+        needed += bytes_of(cells) / 2 + bytes_of(level.cells); // what is around each box, and the box
     const auto available = available_memory();
     if (!available)
         return true;

@@ -74,7 +74,7 @@ std::string_view RunSnapshot::timings_csv() const {
 }
 
 Result<Playback> RunSnapshot::playback(const scene::Scene& scene, const ParallelFor& threads) const {
-    auto made = Playback::load(scene, threads, part("wind"), part("air"));
+    auto made = Playback::load(scene, threads, part("levels"), part("wind"), part("air"));
     if (!made)
         return made.failure().after(message(file_.string(), ": "));
     return made;
@@ -94,6 +94,9 @@ Fault RunSnapshot::write(const RunIdentity& run, std::int64_t frames, Playback& 
         const auto wind = playback.wind().on_cpu()->save();
         if (!wind)
             return wind.failure();
+        const auto levels = playback.levels().save();
+        if (!levels)
+            return levels.failure();
         const auto shown = writer.save();
         if (!shown)
             return shown.failure();
@@ -105,6 +108,7 @@ Fault RunSnapshot::write(const RunIdentity& run, std::int64_t frames, Playback& 
         const Probes::Tables tables = probes.tables();
         return join_parts({{{"run", head_bytes},
                             {"flags", bytes_of(run.flags)},
+                            {"levels", *levels},
                             {"wind", *wind},
                             {"air", air},
                             {"frames", *shown},

@@ -14,6 +14,32 @@ void read_side(JsonObject& boundaries, const Key& key, Boundary& side) {
         read_value(boundaries, key, side.kind, {});
 }
 
+namespace {
+
+constexpr int k_most_levels = 2; // around the box: each is an object in the one inside it
+
+void read_level(JsonObject& inside, std::vector<SceneLevel>& levels, int most) {
+    const bool given = inside.value().contains("outer");
+    JsonObject outer = inside.object(
+        {"outer",
+         "A wind around the box, larger and coarser, in place of the ambient wind: what stands and blows outside of the box "
+         "comes in. The mean wind, its profile and gusts, the boundaries, the ground and all settings that it has not are "
+         "those of air. On the CPU. Default none."});
+    SceneLevel level;
+    const std::size_t faults_before = outer.log().faults();
+    read_settings(outer, level, [](const auto&, const auto&) { return false; });
+    if (given) {
+        levels.push_back(level);
+        if (outer.log().faults() == faults_before)
+            check_read(outer, level);
+    }
+    if (most > 1)
+        read_level(outer, levels, most - 1);
+    outer.finish();
+}
+
+} // namespace
+
 ReadAir read_air(JsonObject air, const std::filesystem::path& folder) {
     const std::size_t faults_before = air.log().faults();
     ReadAir read;
@@ -34,6 +60,7 @@ ReadAir read_air(JsonObject air, const std::filesystem::path& folder) {
             return false;
         }
     });
+    read_level(air, read.outer, k_most_levels);
     air.finish();
     if (air.log().faults() == faults_before)
         check_read(air, read.config);

@@ -40,6 +40,31 @@ inline constexpr std::array<const char*, 2> k_words<scene::FlowMarks>{"arrows", 
 
 namespace windrow::scene {
 
+/// A wind around the box of a scene, or around the level inside it: of its own cells and ticks, otherwise as that.
+struct SceneLevel {
+    glm::ivec3 cells{48, 16, 48};
+    float cell_size = 2.0f;
+    std::optional<Rows> rows{};
+    float blend_width = 2.0f;
+    Ticks ticks{.hz = 10.0};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("cells", &SceneLevel::cells, Box::k_cells_range,
+                    "Cells along x, y, z. The box must hold the box inside it, also where that follows. Three times as wide is "
+                    "good."),
+            Setting("cell_size", &SceneLevel::cell_size, Box::k_cell_size_range,
+                    "Edge of a cell. Two to three times that of the level inside: what comes in should be five of these wide. "
+                    "Motors and obstacles that are not wider than a cell are not in this level."),
+            Setting("rows", &SceneLevel::rows, "Rows of cells of unequal thickness, as air.rows. Default none."),
+            Setting("blend_width", &SceneLevel::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
+                    "Width over which its wind fades to the one around it, as air.blend_width."),
+            Setting("ticks", &SceneLevel::ticks,
+                    "Its own ticks: a third of the rate inside is good. Its wind is read up to a tick late."),
+        };
+    }
+};
+
 /// A motor and when it acts.
 struct SceneMotor {
     std::string name;
@@ -191,6 +216,8 @@ struct Scene {
     double tick_hz = 60.0;  ///< steps a second at least, see FrameTimes
     double frames_per_second = 10.0;
     Config air; ///< `centre` follows `follow` unless the scene gives one
+    /// Winds around it, from the nearest to the outermost; `air` has the ambient wind of all (scene_levels.h).
+    std::vector<SceneLevel> outer;
     std::vector<ScenePath> paths;
     /// What the box follows: nothing, a point [m], or a path by its index.
     std::variant<std::monostate, glm::dvec3, std::size_t> follow;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -50,9 +51,54 @@ double equal_rows(const Rows& rows) {
     return 2.0 * static_cast<double>(equal) * static_cast<double>(heights[0]);
 }
 
+// [m] Of the region in which it acts.
+float width_of(const Motor& motor) {
+    const auto of_round = []<class Round>(const Round& round) {
+        if constexpr (requires { round.end_radius; })
+            return 2.0f * std::max(round.start_radius, round.end_radius);
+        else
+            return 2.0f * round.radius;
+    };
+    const auto of_region = [&]<class Kind>(const Kind& region) {
+        if constexpr (std::same_as<Kind, AlignedBox>)
+            return 2.0f * std::min({region.half_size.x, region.half_size.y, region.half_size.z});
+        else
+            return of_round(region);
+    };
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.region; })
+                return std::visit(of_region, kind.region);
+            else
+                return of_round(kind);
+        },
+        motor);
+}
+
+// [m] The second of its three: how wide a tall tower is, how high a long wall.
+float width_of(const Shape& shape) {
+    const glm::vec3 half = detail::half_extent(shape);
+    return 2.0f * std::max(std::min(half.x, half.y), std::min(std::max(half.x, half.y), half.z));
+}
+
 } // namespace
 
-SceneAir::SceneAir(const Scene& scene) : scene_(&scene), state_(state_of_begin()) {}
+SceneAir::SceneAir(const Scene& scene)
+    : scene_(&scene), state_(state_of_begin()), cell_size_(scene.air.cell_size),
+      rows_(scene.air.rows ? &*scene.air.rows : nullptr) {}
+
+SceneAir::SceneAir(const Scene& scene, std::size_t level) : SceneAir(scene) {
+    const SceneLevel& own = scene.outer.at(level);
+    cell_size_ = least_ = own.cell_size;
+    rows_ = own.rows ? &*own.rows : nullptr;
+    levels_played_ = true;
+}
+
+SceneAir SceneAir::within(const Scene& scene) {
+    SceneAir air(scene);
+    air.levels_played_ = true;
+    return air;
+}
 
 SceneAir::State SceneAir::state_of_begin() const {
     State state;
@@ -73,6 +119,10 @@ void SceneAir::restore(const State& state) {
 }
 
 Result<void> SceneAir::begin(WindControl& wind) {
+    if (!scene_->outer.empty() && !levels_played_)
+        return Error{message(scene_->file.string(),
+                             ": $.air.outer is a wind around the box, which is not played here: use windrow "
+                             "run on the CPU, or remove it.")};
     state_ = state_of_begin();
     if (auto placed = place_box(wind, 0.0); !placed)
         return placed;
@@ -124,7 +174,7 @@ Result<void> SceneAir::place_box(WindControl& wind, double time) {
         return {};
     // Rows of their own interpolate the air where they move: they stay while the ground is among the lower half of the equal ones.
     const double wanted = scene_->floor_height(time);
-    const double stays = scene_->air.rows ? 0.5 * equal_rows(*scene_->air.rows) : 0.0;
+    const double stays = rows_ != nullptr ? 0.5 * equal_rows(*rows_) : 0.0;
     if (state_.floor && wanted >= *state_.floor && wanted < *state_.floor + stays)
         return {};
     if (const auto placed = wind.set_floor(wanted); !placed)
@@ -227,8 +277,9 @@ Error SceneAir::rejection(const char* key, double time, const std::string& why) 
 
 Result<void> SceneAir::place_motors(Motors& motors, double end) {
     for (std::size_t i = 0; i < scene_->motors.size(); ++i)
-        if (const auto placed = place_motor(motors, scene_->motors[i], state_.motors[i], end); !placed)
-            return placed.failure().after(message(scene_->file.string(), ": $.motors[", i, "]: "));
+        if (width_of(scene_->motors[i].motor) > least_)
+            if (const auto placed = place_motor(motors, scene_->motors[i], state_.motors[i], end); !placed)
+                return placed.failure().after(message(scene_->file.string(), ": $.motors[", i, "]: "));
     return {};
 }
 
@@ -251,8 +302,9 @@ Result<void> SceneAir::place_motor(Motors& motors, const SceneMotor& motor, Move
 
 Result<void> SceneAir::place_obstacles(Obstacles& obstacles, double end) {
     for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
-        if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], state_.obstacles[i], end); !placed)
-            return placed.failure().after(message(scene_->file.string(), ": $.obstacles[", i, "]: "));
+        if (width_of(scene_->obstacles[i].obstacle.shape) > least_)
+            if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], state_.obstacles[i], end); !placed)
+                return placed.failure().after(message(scene_->file.string(), ": $.obstacles[", i, "]: "));
     return {};
 }
 
@@ -281,8 +333,10 @@ Result<void> SceneAir::place_wakes(Motors& motors, double end) {
         const Carried& body = scene_->carried[i];
         const MotionPath& path = scene_->paths[body.path].path;
         MotorId& id = state_.wakes[i];
+        if (std::min(body.front.x, body.front.y) <= least_)
+            continue;
         if (id == MotorId{}) {
-            WakeMotor wake = wake_of(body.front, scene_->air.cell_size);
+            WakeMotor wake = wake_of(body.front, cell_size_);
             wake.position = body.middle_at(path, state_.time);
             const auto added = motors.add(wake);
             if (!added)

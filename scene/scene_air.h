@@ -30,6 +30,11 @@ class SceneAir {
   public:
     /// The scene must outlive it.
     explicit SceneAir(const Scene& scene);
+    /// In a level around the scene's box: `level` of Scene::outer. What is not wider than its cells is left out: of a body the second
+    /// of its three widths counts, of a motor its region. `begin` of a scene with levels needs this or `within`.
+    SceneAir(const Scene& scene, std::size_t level);
+    /// In the box of a scene whose levels are played too (scene_levels.h).
+    [[nodiscard]] static SceneAir within(const Scene& scene);
 
     /// Time 0 in a wind that has nothing of the scene yet: the box is where the scene has it, obstacles that are there at 0 stand
     /// in it, and the air is the ambient wind. No motor acts yet. Rejections, of all calls, begin with the scene's file and path.
@@ -127,6 +132,10 @@ class SceneAir {
 
     const Scene* scene_;
     State state_;
+    float cell_size_;    ///< [m]
+    const Rows* rows_;   ///< null: none
+    float least_ = 0.0f; ///< [m] width from which on something is in this level
+    bool levels_played_ = false;
 };
 
 } // namespace windrow::scene

@@ -15,6 +15,7 @@ namespace windrow::scene {
 /// What was read, and whether the scene itself says where the box is.
 struct ReadAir {
     Config config;
+    std::vector<SceneLevel> outer{};
     bool has_centre = false;
 };
 /// `folder` is the scene's: a map of its roughness is beside it.

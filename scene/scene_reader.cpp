@@ -200,6 +200,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     read_times(object, scene);
     const ReadAir read = read_air(object.object({"air", "The box of cells and how the air in it moves."}), file.parent_path());
     scene.air = read.config;
+    scene.outer = read.outer;
     scene.paths = read_paths(object, file.parent_path());
     std::vector<std::string> names;
     for (const ScenePath& path : scene.paths)
