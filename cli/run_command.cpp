@@ -222,7 +222,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                                           : Playback::create(*scene, pool->parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
-        return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
+        // A device that has no room; levels around the box are none of its.
+        return backend.is_cpu() || !scene->outer.empty() ? k_exit_wrong_use : k_exit_machine;
     }
 
     const KeepText keep = snapshots ? KeepText::yes : KeepText::no;

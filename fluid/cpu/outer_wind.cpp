@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -35,7 +36,26 @@ namespace {
 // Cells of a line that is blended along x, on the stack.
 constexpr int k_longest_line = 2 * k_max_axis_cells;
 
-int wrapped(int index, int count) {
+// A cell in one register.
+typedef float Four __attribute__((vector_size(16)));
+typedef float FourUnaligned __attribute__((vector_size(16), aligned(4), may_alias));
+
+inline Four four(const float* cell) {
+    return *reinterpret_cast<const FourUnaligned*>(cell);
+}
+inline Four four(const glm::vec4& cell) {
+    return four(&cell.x);
+}
+inline void put_four(Four value, glm::vec4& cell) {
+    *reinterpret_cast<FourUnaligned*>(&cell.x) = value;
+}
+inline Four blend_four(Four a, Four b, float t) {
+    return a + t * (b - a);
+}
+
+int around_period(int index, int count) {
+    if (index >= 0 && index < count)
+        return index;
     const int rest = index % count;
     return rest < 0 ? rest + count : rest;
 }
@@ -56,7 +76,7 @@ OuterWind::OuterWind(const Box& box, Cells& outer) : box_(box), outer_(outer) {
         places_[static_cast<std::size_t>(axis)].resize(static_cast<std::size_t>(padded[axis]));
         const double ratio = static_cast<double>(box.cell_size) / static_cast<double>(around.cell_size);
         const auto spanned = static_cast<int>(std::min(std::ceil(padded[axis] * ratio), 1.0 * k_longest_line)) + 3;
-        const int count = around.rows && axis == 1 ? around.cells.y : spanned;
+        const int count = (around.rows || box.rows) && axis == 1 ? around.cells.y : spanned;
         most *= static_cast<std::size_t>(around.boundaries.periodic(axis) ? count : std::min(count, around.cells[axis]));
         if (axis == 0) {
             points_.reserve(static_cast<std::size_t>(count));
@@ -125,7 +145,7 @@ void OuterWind::fill_brick(const AirOfNow& air) {
     brick_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z));
     points_.resize(static_cast<std::size_t>(size.x));
     winds_.resize(points_.size());
-    const auto outer_cell = [&](int axis, int n) { return wrapped(brick_low_[axis] + n, box.cells[axis]); };
+    const auto outer_cell = [&](int axis, int n) { return around_period(brick_low_[axis] + n, box.cells[axis]); };
     const auto ambient_of = [&](int j, int k) {
         const glm::dvec3 first = view.window().centre(outer_cell(0, 0), outer_cell(1, j), outer_cell(2, k));
         if (!ambient.gusting()) {
@@ -145,20 +165,21 @@ void OuterWind::fill_brick(const AirOfNow& air) {
                 brick_[at] = glm::vec4(glm::vec3(field[n]) - winds_[static_cast<std::size_t>(i)], air.pressure(n));
             }
         }
-    air.for_each_filled([&](std::uint32_t cell, glm::vec3 filled) {
+    const auto fill = [&](std::uint32_t cell, glm::vec3 filled) {
         const auto n = static_cast<int>(cell);
         const glm::ivec3 place(n % box.cells.x, n / box.cells.x % box.cells.y, n / (box.cells.x * box.cells.y));
         glm::ivec3 in_brick = place - brick_low_;
         for (int axis = 0; axis < 3; ++axis)
             if (box.boundaries.periodic(axis))
-                in_brick[axis] = wrapped(in_brick[axis], box.cells[axis]);
+                in_brick[axis] = around_period(in_brick[axis], box.cells[axis]);
         if (glm::any(glm::lessThan(in_brick, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(in_brick, size)))
             return;
         const glm::vec3 change = filled - glm::vec3(field[cell]);
         brick_[(static_cast<std::size_t>(in_brick.z) * static_cast<std::size_t>(size.y) + static_cast<std::size_t>(in_brick.y)) *
                    static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(in_brick.x)] += glm::vec4(change, 0.0f);
-    });
+    };
+    air.for_each_filled(std::ref(fill)); // no copy: a step does not allocate
 }
 
 void OuterWind::sample(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {
@@ -174,21 +195,21 @@ void OuterWind::sample(const Window& window, Buffer<glm::vec4>& to, const Parall
     const std::ptrdiff_t up = brick_cells_.y > 1 ? row : 0, deep = brick_cells_.z > 1 ? plane : 0, along = row > 1 ? 1 : 0;
     parallel_for(static_cast<int>(places_[2].size()), [&](int padded) {
         const Place& z = places_[2][static_cast<std::size_t>(padded)];
-        std::array<glm::vec4, k_longest_line> line;
+        std::array<Four, k_longest_line> line;
         for (std::size_t j = 0; j < height; ++j) {
             const Place& y = places_[1][j];
             const glm::vec4* const corner = brick_.data() + (z.low - brick_low_.z) * plane + (y.low - brick_low_.y) * row;
             for (std::ptrdiff_t i = 0; i < row; ++i) {
-                const glm::vec4 near = glm::mix(corner[i], corner[i + up], y.between);
-                const glm::vec4 far = glm::mix(corner[i + deep], corner[i + deep + up], y.between);
-                line[static_cast<std::size_t>(i)] = glm::mix(near, far, z.between);
+                const Four near = blend_four(four(corner[i]), four(corner[i + up]), y.between);
+                const Four far = blend_four(four(corner[i + deep]), four(corner[i + deep + up]), y.between);
+                line[static_cast<std::size_t>(i)] = blend_four(near, far, z.between);
             }
             glm::vec4* const result = to.data() + (static_cast<std::size_t>(padded) * height + j) * width;
             const float share = y.share * z.share;
             for (std::size_t i = 0; i < width; ++i) {
                 const Place& x = places_[0][i];
-                const glm::vec4* const first = line.data() + (x.low - brick_low_.x);
-                result[i] = share * x.share * glm::mix(first[0], first[along], x.between);
+                const Four* const first = line.data() + (x.low - brick_low_.x);
+                put_four((share * x.share) * blend_four(first[0], first[along], x.between), result[i]);
             }
         }
     });
@@ -302,28 +323,46 @@ void OuterWind::compose(const Around& around, const ParallelFor& parallel_for) {
     const float departs = around.fresh ? 0.0f : 0.5f * around.dt;
     const Buffer<glm::vec4>&start = *start_, &next = *next_;
     const glm::ivec3 cells = box_.cells, padded = cells + k_halo;
-    const auto wind_of = [](const Ambient& ambient, std::size_t n) {
-        return ambient.cells == nullptr ? glm::vec3(ambient.everywhere)
-                                        : glm::vec3(ambient.cells[4 * n], ambient.cells[4 * n + 1], ambient.cells[4 * n + 2]);
+    constexpr Four k_no_pressure = {1.0f, 1.0f, 1.0f, 0.0f};
+    const auto everywhere = [](const Ambient& ambient) {
+        return Four{ambient.everywhere.x, ambient.everywhere.y, ambient.everywhere.z, 0.0f};
+    };
+    const Four carried_mean = everywhere(around.carried), traced_mean = everywhere(around.traced);
+    const auto wind_of = [](const Ambient& ambient, Four mean, std::size_t n) {
+        return ambient.cells == nullptr ? mean : four(ambient.cells + 4 * n);
     };
     parallel_for(padded.z, [&](int plane) {
         for (int row = 0; row < padded.y; ++row) {
             const int j = row - k_halo_low, k = plane - k_halo_low;
             const bool inside = j >= 0 && j < cells.y && k >= 0 && k < cells.z;
-            std::size_t n = padded_index(cells, {-k_halo_low, j, k});
-            for (int column = 0; column < padded.x; ++column, ++n) {
-                const int i = column - k_halo_low;
-                if (inside && i >= 0 && i < cells.x) {
-                    if (around.relaxes)
-                        carried_[n] = glm::vec4(wind_of(around.carried, n) + glm::vec3(start[n]), 0.0f);
-                    continue;
+            const std::size_t first = padded_index(cells, {-k_halo_low, j, k});
+            // One-sided where the halo ends, as slope().
+            const std::ptrdiff_t pitch = padded.x, slab = pitch * padded.y;
+            const std::ptrdiff_t below = row > 0 ? pitch : 0, above = row + 1 < padded.y ? pitch : 0;
+            const std::ptrdiff_t before = plane > 0 ? slab : 0, behind = plane + 1 < padded.z ? slab : 0;
+            const float up = height(above > 0 ? j + 1 : j) - height(below > 0 ? j - 1 : j);
+            const float per_y = departs / up, per_x = departs / box_.cell_size;
+            const float per_z = before > 0 && behind > 0 ? 0.5f * per_x : per_x;
+            const auto halo = [&](int low, int high) {
+                for (int column = low; column < high; ++column) {
+                    const std::size_t n = first + static_cast<std::size_t>(column);
+                    const glm::vec4* const p = start.data() + n;
+                    const std::ptrdiff_t left = column > 0 ? 1 : 0, right = column + 1 < padded.x ? 1 : 0;
+                    const float per = left + right == 2 ? 0.5f * per_x : per_x;
+                    const Four push{per * (p[right].w - p[-left].w), per_y * (p[above].w - p[-below].w),
+                                    per_z * (p[behind].w - p[-before].w), 0.0f};
+                    put_four(wind_of(around.carried, carried_mean, n) + k_no_pressure * four(*p) - push, carried_[n]);
+                    put_four(wind_of(around.traced, traced_mean, n) + k_no_pressure * four(next[n]), traced_[n]);
                 }
-                glm::vec3 carried = wind_of(around.carried, n) + glm::vec3(start[n]);
-                for (int axis = 0; axis < 3 && departs > 0.0f; ++axis)
-                    carried[axis] -= departs * slope(start, {i, j, k}, axis);
-                carried_[n] = glm::vec4(carried, 0.0f);
-                traced_[n] = glm::vec4(wind_of(around.traced, n) + glm::vec3(next[n]), 0.0f);
+            };
+            if (!inside) {
+                halo(0, padded.x);
+                continue;
             }
+            halo(0, k_halo_low);
+            halo(k_halo_low + cells.x, padded.x);
+            for (std::size_t n = first + k_halo_low; around.relaxes && n < first + k_halo_low + cells.x; ++n)
+                put_four(wind_of(around.carried, carried_mean, n) + k_no_pressure * four(start[n]), carried_[n]);
         }
     });
 }
