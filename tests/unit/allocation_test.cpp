@@ -460,4 +460,39 @@ TEST_F(Allocations, OfPlants) {
         "Cascade::advance of nothing", cascade, [](Cascade& c) { return c.advance(-1.0, {.scale = -1.0}); }, false);
 }
 
+/// A wind inside another one.
+struct NestedWind {
+    std::shared_ptr<Wind> outer;
+    std::optional<Wind> inner;
+};
+
+NestedWind nested(bool both) {
+    const Boundaries floor = Boundaries::open_over_floor();
+    NestedWind winds{std::make_shared<Wind>(*Wind::create(
+        {.cells = {16, 8, 16}, .cell_size = 2.0f, .boundaries = floor, .ambient = {4.0f, 0.0f, 1.0f}, .profile = LogProfile{}}))};
+    (void)winds.outer->obstacles().add({.position = {-6.0, 2.0, 0.0}, .shape = Block{glm::vec3(3.0f)}});
+    (void)winds.outer->advance(0.1);
+    if (both) {
+        winds.inner.emplace(*Wind::create({.cells = {12, 8, 12}, .boundaries = floor}, winds.outer));
+        (void)winds.inner->advance(0.1);
+    }
+    return winds;
+}
+
+TEST_F(Allocations, OfNestedWinds) {
+    fail_each(
+        "create", [] { return nested(false); },
+        [](NestedWind& winds) {
+            return Wind::create({.cells = {12, 8, 12}, .boundaries = Boundaries::open_over_floor()}, winds.outer);
+        });
+    const auto both = [] { return nested(true); };
+    fail_each("follow", both, [](NestedWind& winds) { return winds.inner->follow({3.2, 0.0, 1.0}); });
+    fail_each("advance", both, [](NestedWind& winds) { return winds.inner->advance(0.1); });
+    fail_each("step", both, [](NestedWind& winds) { return winds.inner->step(0.05); });
+    fail_each("reading beyond the box", both, [](NestedWind& winds) {
+        (void)winds.inner->velocity({10.0, 1.0, 2.0});
+        return true;
+    });
+}
+
 } // namespace
