@@ -106,7 +106,7 @@ void Cells::shift_pressure(const CellChange& change) {
     if (pressure_.empty())
         return;
     const glm::ivec3 cells = box().cells, by(change.by);
-    const bool lifts = box().rows && change.by.y != 0; // other rows: the next step finds it
+    const bool lifts = box().rows && change.by.y != 0;                  // other rows: the next step finds it
     const std::span<float> moved(&spare().data()->x, pressure_.size()); // between two steps
     for (Buffer<float>* const field : {&pressure_, &pressure_before_}) {
         std::size_t n = 0;

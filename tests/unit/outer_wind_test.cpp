@@ -58,8 +58,9 @@ TEST_P(OuterWindIsAmbient, LeavesTheBits) {
         for (int n = 0; n < 40; ++n) {
             const double dt = n % 3 == 0 ? 1.0 / 30.0 : 1.0 / 45.0;
             for (Wind* wind : {outer.get(), &nested, &alone}) {
-                if (wind != outer.get())
+                if (wind != outer.get()) {
                     ASSERT_TRUE(wind->follow({0.1 * n, 0.0, -0.05 * n}));
+                }
                 if (ticks)
                     (void)wind->advance(dt);
                 else
