@@ -277,11 +277,17 @@ struct StateFields {
         }
     }
 
+    static constexpr std::uint8_t k_levels_mark = 0x4c;
     /// Of winds with others around or inside, after all else: those without have nothing there.
     static void levels(auto& archive, auto& cells, bool has_outer) {
         cpu::Cells::LevelState level;
         if constexpr (Reading<decltype(archive)>) {
-            if (!archive.at_end())
+            std::uint8_t mark = 0;
+            if (!archive.at_end()) {
+                archive(mark);
+                archive.require(mark == k_levels_mark, "bytes follow its last field.");
+            }
+            if (mark == k_levels_mark)
                 archive(level.pressure, level.pressure_before, level.shown_factor, level.outer, level.outer_origin);
             archive.require(has_outer || level.outer.empty(),
                             "it was saved with an outer wind: load that first, and give it to Wind::load.");
@@ -292,7 +298,8 @@ struct StateFields {
         } else {
             level = cells.level_state();
             if (!level.pressure.empty())
-                archive(level.pressure, level.pressure_before, level.shown_factor, level.outer, level.outer_origin);
+                archive(k_levels_mark, level.pressure, level.pressure_before, level.shown_factor, level.outer,
+                        level.outer_origin);
         }
     }
 

@@ -463,7 +463,7 @@ TEST_F(Allocations, OfPlants) {
 /// A wind inside another one.
 struct NestedWind {
     std::shared_ptr<Wind> outer;
-    std::optional<Wind> inner;
+    std::optional<Wind> inner{};
 };
 
 NestedWind nested(bool both) {
