@@ -53,7 +53,7 @@ TEST_P(OuterWindBounds, TheInnerWindIsNoFaster) {
             fastest = std::max(fastest, double(report.max_speed));
         }
     }
-    WINDROW_EXPECT_FIGURE(std::string("stability/outer_wind/") + GetParam().name, fastest_inner / fastest_outer, 1.15);
+    WINDROW_EXPECT_FIGURE(std::string("stability/outer_wind/") + GetParam().name, fastest_inner / fastest_outer, 1.2);
     EXPECT_EQ(limited, 0);
     EXPECT_EQ(repaired, 0);
 }
