@@ -4,6 +4,9 @@
 #if WINDROW_WITH_VIEW
 #include "vegetation/view/view.h"
 #endif
+#if WINDROW_WITH_VDB
+#include "fluid/vdb/vdb_export.h"
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +31,16 @@ glm::ivec2 read_window_size(const std::string& text) {
         reject("--size is \"", text, "\": give it as WIDTHxHEIGHT, ", k_least, " to ", k_most, " pixels each.");
     return {width, height};
 }
+
+#if WINDROW_WITH_VDB
+/// The cells of the air, as `windrow run --vdb` writes them without more.
+windrow::Result<void> write_vdb(const std::filesystem::path& file, const WindControl& control, const WindReader& reader) {
+    const auto grid = vdb::grid_of(control, reader);
+    if (!grid)
+        return grid.failure();
+    return vdb::write(*grid, file, {});
+}
+#endif
 
 int run_view(const shown::ViewRequest& request, const Console& console) {
     const auto summary = shown::view(request, [&](const std::string& line) { console.out << line << std::endl; });
@@ -54,7 +67,17 @@ void add_view(CLI::App& app, std::function<int()>& chosen, const Console& consol
 #if WINDROW_WITH_VIEW
     const auto request = std::make_shared<shown::ViewRequest>();
     Flags flags(*view);
-    flags.scene(request->scene);
+    flags
+        .value("SCENE.json", "", "Scene file, or a recording: its log, events.log, or the folder with that and start.wind",
+               [request](const std::string& text) {
+                   if (text.empty())
+                       reject("SCENE.json is empty: name a scene file, or a recording.");
+                   request->scene = text;
+               })
+        ->required();
+#if WINDROW_WITH_VDB
+    request->write_vdb = write_vdb;
+#endif
     flags.value("--size", "WIDTHxHEIGHT", "Of the window in pixels; default 1280x720",
                 [request](const std::string& text) { request->size = read_window_size(text); });
     flags.value("--look", "NAME", "full or draft; default full on a GPU, draft on a software device",

@@ -1,34 +1,73 @@
 #include "vegetation/program/air.h"
 
-#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace windrow::vegetation::program {
 
+namespace {
+
+bool on_cpu(const engine::Device& device, const AirSettings& settings) {
+    return settings.backend.value_or(device.software() ? Backend::cpu : Backend::vulkan) == Backend::cpu;
+}
+
+windrow::vulkan::Settings device_settings(const AirSettings& settings) {
+    using windrow::vulkan::ReadBack;
+    windrow::vulkan::Settings made;
+    made.frames_in_flight = engine::k_frames_in_flight;
+    made.gusts = settings.gusts;
+    made.timestamps = settings.pass_times;
+    made.queries = settings.queries ? ReadBack::cells : ReadBack::none;
+    made.forces = settings.forces;
+    return made;
+}
+
+} // namespace
+
+Air::Air(std::unique_ptr<ThreadPool> threads, std::unique_ptr<engine::CpuWind> wind)
+    : threads_(std::move(threads)), cpu_(std::move(wind)), control_(&cpu_->air()), reader_(&cpu_->air()) {}
+
+Air::Air(windrow::vulkan::Wind wind)
+    : device_(std::make_unique<windrow::vulkan::Wind>(std::move(wind))), control_(device_.get()), reader_(device_.get()) {}
+
 Result<Air> Air::create(engine::Device& device, Config config, const AirSettings& settings) {
-    Air made;
-    if (settings.backend.value_or(device.software() ? Backend::cpu : Backend::vulkan) == Backend::cpu) {
-        made.threads_ = std::make_unique<ThreadPool>();
-        config.parallel_for = made.threads_->parallel_for();
+    if (on_cpu(device, settings)) {
+        auto threads = std::make_unique<ThreadPool>();
+        config.parallel_for = threads->parallel_for();
         auto wind = engine::CpuWind::create(device, config);
+        return wind ? Result<Air>(Air(std::move(threads), *std::move(wind))) : wind.failure();
+    }
+    auto wind = windrow::vulkan::Wind::create(device.host(), config, device_settings(settings));
+    return wind ? Result<Air>(Air(*std::move(wind))) : wind.failure();
+}
+
+Result<Air> Air::load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings) {
+    if (on_cpu(device, settings)) {
+        auto threads = std::make_unique<ThreadPool>();
+        auto wind = Wind::load(bytes, threads->parallel_for());
         if (!wind)
             return wind.failure();
-        made.cpu_ = *std::move(wind);
-        made.control_ = &made.cpu_->air();
-        made.reader_ = &made.cpu_->air();
-        return made;
+        auto shown = engine::CpuWind::create(device, *std::move(wind));
+        return shown ? Result<Air>(Air(std::move(threads), *std::move(shown))) : shown.failure();
     }
-    using windrow::vulkan::ReadBack;
-    auto wind = windrow::vulkan::Wind::create(device.host(), config,
-                                              {.frames_in_flight = engine::k_frames_in_flight,
-                                               .timestamps = settings.pass_times,
-                                               .queries = settings.queries ? ReadBack::cells : ReadBack::none});
-    if (!wind)
-        return wind.failure();
-    made.device_ = std::make_unique<windrow::vulkan::Wind>(*std::move(wind));
-    made.control_ = made.device_.get();
-    made.reader_ = made.device_.get();
-    return made;
+    auto wind = windrow::vulkan::Wind::load(device.host(), bytes, device_settings(settings));
+    return wind ? Result<Air>(Air(*std::move(wind))) : wind.failure();
+}
+
+Result<std::vector<std::byte>> Air::save(engine::Frames& frames) {
+    if (cpu_)
+        return cpu_->air().save();
+    const auto frame = frames.begin();
+    if (!frame)
+        return frame.failure();
+    const auto recorded = device_->record(frame->commands, {.dt = 0.0, .slot = frame->slot, .save = true});
+    const auto done = frames.finish(*frame);
+    if (!recorded)
+        return recorded.failure();
+    if (!done)
+        return done.failure();
+    (void)device_->collect(frame->slot);
+    return device_->saved();
 }
 
 Result<void> Air::record(const engine::Frame& frame, double dt) {

@@ -6,8 +6,11 @@
 #include "vegetation/vulkan/frames.h"
 #include "vegetation/vulkan/wind_set.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace windrow::vegetation::program {
 
@@ -18,16 +21,23 @@ struct AirSettings {
     std::optional<Backend> backend{}; ///< default: vulkan on a GPU, cpu on a software device, where it is the faster one
     bool pass_times = false;          ///< of the passes on the device
     bool queries = false;             ///< `velocity` is asked: a wind on the device reads its cells back each frame
+    int forces = 0;                   ///< obstacles whose forces are asked; on the CPU all have them
+    bool gusts = false;               ///< gusts may begin later
 };
 
 class Air {
   public:
     /// Rejects what the wind rejects. The device outlives it.
     [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings);
+    /// Air that goes on from what `save` or Wind::save returned, on either solver. Rejects what their `load` rejects.
+    [[nodiscard]] static Result<Air> load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings);
+    /// The whole state as bytes, as Wind::save returns them. Of a wind on the device it submits a frame and waits for it.
+    [[nodiscard]] Result<std::vector<std::byte>> save(engine::Frames& frames);
 
     [[nodiscard]] WindControl& control() { return *control_; }
     /// On the CPU of the last frame; on the device of the last one that was read back, k_frames_in_flight before.
     [[nodiscard]] const WindReader& reader() const { return *reader_; }
+    [[nodiscard]] WindReader& reader() { return *reader_; }
     [[nodiscard]] const WindControl& control() const { return *control_; }
 
     /// The next `dt` [s], in ticks.
@@ -48,6 +58,8 @@ class Air {
 
   private:
     Air() = default;
+    Air(std::unique_ptr<ThreadPool> threads, std::unique_ptr<engine::CpuWind> wind);
+    explicit Air(windrow::vulkan::Wind wind);
 
     std::unique_ptr<windrow::vulkan::Wind> device_{}; ///< this, or the next two
     std::unique_ptr<ThreadPool> threads_{};

@@ -91,7 +91,7 @@ windrow::Result<Figures> Figures::create(engine::Device& device, const render::D
     whole.insert(whole.end(), cloak.begin(), cloak.end());
     for (const Walker& walker : scene.picture.walkers)
         if (walker.figure)
-            made.figures_.push_back({.walker = &walker, .gait = Gait(scene.air.paths[walker.path].path)});
+            made.figures_.push_back({.walker = walker, .gait = Gait(scene.air.paths[walker.path].path)});
     auto bodies = render::Bodies::create(device, targets, std::span(&whole, 1), made.figures_.size());
     if (!bodies)
         return bodies.failure();
@@ -106,9 +106,9 @@ void Figures::add_to(render::Renderer& renderer) {
 
 void Figures::move(double time, double seconds, const WindAt& wind) {
     for (Figure& figure : figures_) {
-        figure.pose = walker_pose(*scene_, *figure.walker, figure.gait, time);
+        figure.pose = walker_pose(*scene_, figure.walker, figure.gait, time);
         figure.parts = render::person_parts(figure.pose.stance);
-        const auto& path = scene_->air.paths[figure.walker->path].path;
+        const auto& path = scene_->air.paths[figure.walker.path].path;
         const glm::dvec3 velocity =
             (path.at(time) - path.at(time - 0.125)) / 0.125; // a start and a stop take an eighth of a second
         const glm::dvec3 own(velocity.x, 0.0, velocity.z);

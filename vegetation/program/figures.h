@@ -43,7 +43,7 @@ class Figures {
 
   private:
     struct Figure {
-        const Walker* walker;
+        Walker walker; ///< a copy: more may come to the scene
         Gait gait;
         render::Cloak cloak{};
         WalkerPose pose{};

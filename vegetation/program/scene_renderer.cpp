@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <initializer_list>
 
 namespace windrow::vegetation::program {
@@ -15,11 +13,6 @@ using windrow::Error;
 using windrow::Result;
 
 constexpr int k_max_ticks = 1000; // of windrow::Ticks in one frame
-
-glm::mat4 placed_at(const windrow::Obstacle& obstacle, glm::dvec3 anchor) {
-    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), glm::vec3(obstacle.position - anchor));
-    return moved * glm::mat4_cast(glm::normalize(obstacle.orientation));
-}
 
 } // namespace
 
@@ -53,7 +46,7 @@ Result<void> SceneRenderer::make() {
         return Error{detail::message("$.tick_hz is ", scene_.air.tick_hz, " Hz, more than ", k_max_ticks - 1,
                                      " ticks in each of ", frames_per_second_,
                                      " frames a second; give fewer ticks or more frames a second.")};
-    air.ticks = {.hz = scene_.air.tick_hz, .max_per_call = static_cast<int>(due)};
+    air.ticks = {.hz = scene_.air.tick_hz, .max_per_call = settings_.edited ? k_max_ticks : static_cast<int>(due)};
     if (!settings_.wind) {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};
@@ -61,8 +54,7 @@ Result<void> SceneRenderer::make() {
     } else if (picture.sampling.detail > 0.0f && air.gusts.intensity <= 0.0f) {
         air.gusts.tile = windrow::GustTile::standard(); // the pattern of the detail, where no gusts bring one
     }
-    const bool asked = settings_.show == Show::streaks || Figures::any(scene_); // by the host, for streaks and cloaks
-    auto wind = Air::create(*device_, air, {.backend = settings_.backend, .pass_times = settings_.pass_times, .queries = asked});
+    auto wind = Air::create(*device_, air, air_settings());
     if (!wind)
         return wind.failure().after("$.air: ");
     air_ = *std::move(wind);
@@ -72,12 +64,8 @@ Result<void> SceneRenderer::make() {
     if (auto made = make_renderer(); !made)
         return made;
 
-    if (picture.ground_memory) {
-        auto memory = windrow::vulkan::GroundMemory::create(device_->host(), *picture.ground_memory);
-        if (!memory)
-            return memory.failure().after("$.picture.ground_memory: ");
-        ground_ = *std::move(memory);
-    }
+    if (auto remembers = make_ground_memory(); !remembers)
+        return remembers;
     const render::DrawTargets targets = renderer_->draw_targets();
     if (auto grown = make_grass(targets); !grown)
         return grown;
@@ -91,10 +79,10 @@ Result<void> SceneRenderer::make() {
     if (!figures)
         return figures.failure();
     figures_ = *std::move(figures);
-    if (auto stand = make_bodies(targets); !stand)
-        return stand;
-    if (auto stand = make_obstacles(targets); !stand)
-        return stand;
+    auto standing = StandingBodies::create(*device_, targets, scene_, anchor_, settings_.edited);
+    if (!standing)
+        return standing.failure();
+    standing_ = *std::move(standing);
     if (auto seen = make_views(targets); !seen)
         return seen;
     attach();
@@ -102,6 +90,29 @@ Result<void> SceneRenderer::make() {
     if (!frames)
         return frames.failure();
     frames_ = *std::move(frames);
+    return {};
+}
+
+AirSettings SceneRenderer::air_settings() const {
+    // Asked by the host for streaks and cloaks, and by who edits.
+    const bool asked = settings_.show == Show::streaks || Figures::any(scene_) || settings_.edited;
+    constexpr int k_forces = 64; // of bodies in the box
+    return {.backend = settings_.backend,
+            .pass_times = settings_.pass_times,
+            .queries = asked,
+            .forces = settings_.edited ? k_forces : 0,
+            .gusts = settings_.edited};
+}
+
+Result<void> SceneRenderer::make_ground_memory() {
+    if (!scene_.picture.ground_memory || ground_)
+        return {};
+    auto memory = windrow::vulkan::GroundMemory::create(device_->host(), *scene_.picture.ground_memory);
+    if (!memory)
+        return memory.failure().after("$.picture.ground_memory: ");
+    ground_ = *std::move(memory);
+    for (const auto& layer : grass_)
+        layer->set_ground(&*ground_);
     return {};
 }
 
@@ -126,8 +137,12 @@ Result<void> SceneRenderer::make_renderer() {
                                  .shutter_deg = shutter_deg(),
                                  .quality = picture.quality,
                                  .anchor = anchor_,
-                                 .counts = settings_.counts};
-    drawn.shadow_texels = settings_.shadow_texels.value_or(drawn.shadow_texels);
+                                 .counts = settings_.counts,
+                                 .apart = settings_.edited};
+    if (settings_.draft) {
+        drawn.shadow_texels = 256;
+        drawn.soft_shadows = false;
+    }
     auto renderer = render::Renderer::create(*device_, scene, drawn);
     if (!renderer)
         return renderer.failure().after("$.picture: ");
@@ -143,8 +158,8 @@ void SceneRenderer::attach() {
         renderer_->add(*stand);
     furred_->add_to(*renderer_);
     figures_->add_to(*renderer_);
-    for (render::Drawable* const one :
-         std::initializer_list<render::Drawable*>{bodies_.get(), obstacles_.get(), arrows_.get(), streaks_.get()})
+    standing_->add_to(*renderer_);
+    for (render::Drawable* const one : std::initializer_list<render::Drawable*>{arrows_.get(), streaks_.get()})
         if (one != nullptr)
             renderer_->add(*one);
 }
@@ -159,12 +174,14 @@ Result<void> SceneRenderer::change(const Change& change) {
         if (auto seen = make_views(renderer_->draw_targets()); !seen)
             return seen;
     }
-    if (change.obstacles) {
-        obstacles_.reset();
-        moving_.clear();
-        if (auto stand = make_obstacles(renderer_->draw_targets()); !stand)
+    if (change.obstacles)
+        if (auto stand = standing_->make_obstacles(renderer_->draw_targets()); !stand)
             return stand;
-    }
+    if (change.ground_memory)
+        if (auto remembers = make_ground_memory(); !remembers)
+            return remembers;
+    if (!change.size && !change.show && !change.obstacles && !change.look)
+        return {};
     size_ = change.size.value_or(size_);
     // Its render passes and layouts are shared: what was made for the old one is drawn by the new one.
     if (auto made = make_renderer(); !made)
@@ -188,6 +205,10 @@ Result<void> SceneRenderer::make_grass(const render::DrawTargets& targets) {
     return {};
 }
 
+Result<void> SceneRenderer::repaint(std::size_t layer, const grass::Touched& touched) {
+    return grass_.at(layer)->field().repaint(*scene_.picture.grass.at(layer).mask.mask, touched);
+}
+
 Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
     for (const StandSource& stand : scene_.picture.trees) {
         auto kind = trees::preset(stand.kind);
@@ -205,83 +226,6 @@ Result<void> SceneRenderer::make_trees(const render::DrawTargets& targets) {
         trees_.push_back(*std::move(made));
     }
     return {};
-}
-
-Result<void> SceneRenderer::make_bodies(const render::DrawTargets& targets) {
-    std::vector<render::Solid> shapes;
-    for (const Fan& fan : scene_.picture.fans) {
-        const double above = fan.position.y - scene_.picture.ground.height(fan.position.x, fan.position.z);
-        shapes.push_back(render::fan_stand(static_cast<float>(fan.radius), static_cast<float>(std::max(above, fan.radius))));
-        shapes.push_back(render::fan_blades(static_cast<float>(fan.radius)));
-    }
-    if (shapes.empty())
-        return {};
-    auto made = render::Bodies::create(*device_, targets, shapes);
-    if (!made)
-        return made.failure();
-    bodies_ = *std::move(made);
-    return {};
-}
-
-void SceneRenderer::place_bodies(double time) {
-    figures_->place();
-    if (!bodies_)
-        return;
-    std::size_t body = 0;
-    const auto at = [&](glm::dvec3 place, double yaw) {
-        const glm::mat4 moved = glm::translate(glm::mat4(1.0f), glm::vec3(place - anchor_));
-        return glm::rotate(moved, static_cast<float>(yaw), glm::vec3(0.0f, 1.0f, 0.0f));
-    };
-    for (const Fan& fan : scene_.picture.fans) {
-        const glm::mat4 stands = at(fan.position, std::atan2(fan.direction.x, fan.direction.z));
-        const double turns = fan.turns_hz * time;
-        const auto angle = static_cast<float>(2.0 * glm::pi<double>() * (turns - std::floor(turns)));
-        bodies_->place(body++, stands);
-        bodies_->place(body++, glm::rotate(stands, angle, glm::vec3(0.0f, 0.0f, 1.0f)));
-    }
-}
-
-Result<void> SceneRenderer::make_obstacles(const render::DrawTargets& targets) {
-    const auto& obstacles = scene_.air.obstacles;
-    const auto& looks = scene_.picture.obstacles;
-    std::vector<render::Solid> shapes{{}};
-    for (std::size_t n = 0; n < obstacles.size(); ++n) {
-        const windrow::scene::SceneObstacle& body = obstacles[n];
-        const auto look = std::find_if(looks.begin(), looks.end(), [&](const auto& one) { return one.name == body.name; });
-        const render::ObstacleLook drawn = look != looks.end() ? *look : render::ObstacleLook{};
-        if (drawn.hidden)
-            continue;
-        const render::Solid solid = render::obstacle_solid(body.obstacle.shape, drawn);
-        if (solid.empty()) // hills are drawn as ground: a body without parts has no place
-            continue;
-        const bool always = body.from <= 0.0 && body.until > scene_.air.duration;
-        if (!settings_.edited && always && !body.moves() && body.pivot == glm::dvec3(0.0)) {
-            render::add(shapes.front(), solid, placed_at(body.obstacle, anchor_));
-        } else {
-            shapes.push_back(solid);
-            moving_.push_back(n);
-        }
-    }
-    if (shapes.size() == 1 && shapes.front().empty())
-        return {};
-    auto made = render::Bodies::create(*device_, targets, shapes);
-    if (!made)
-        return made.failure();
-    obstacles_ = *std::move(made);
-    return {};
-}
-
-void SceneRenderer::place_obstacles(double time) {
-    if (!obstacles_)
-        return;
-    const auto standing = scene_air_.standing(time);
-    for (std::size_t n = 0; n < moving_.size(); ++n) {
-        const auto* const body = &scene_.air.obstacles[moving_[n]];
-        const auto found = std::find_if(standing.begin(), standing.end(), [&](const auto& one) { return one.obstacle == body; });
-        // Of no size while it is not there.
-        obstacles_->place(n + 1, found != standing.end() ? placed_at(found->now, anchor_)
-                                                         : glm::scale(glm::mat4(1.0f), glm::vec3(0.0f)));
-    }
 }
 
 Result<void> SceneRenderer::make_views(const render::DrawTargets& targets) {
@@ -431,8 +375,8 @@ Result<void> SceneRenderer::skip() {
 Result<void> SceneRenderer::place(double start, double end) {
     renderer_->set_time(end);
     move_figures(end, end - start);
-    place_bodies(end);
-    place_obstacles(end);
+    figures_->place();
+    standing_->place(end, scene_air_);
     move_streaks(end, end - start);
     set_time_step(end - start);
     if (arrows_)

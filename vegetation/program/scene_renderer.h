@@ -25,7 +25,7 @@
 #include "vegetation/program/figures.h"
 #include "vegetation/program/furred_body.h"
 #include "vegetation/program/picture_scene.h"
-#include "vegetation/render/bodies.h"
+#include "vegetation/program/standing_bodies.h"
 #include "vegetation/render/grass_layer.h"
 #include "vegetation/render/renderer.h"
 #include "vegetation/render/wind_arrows.h"
@@ -58,8 +58,9 @@ struct SceneRendererSettings {
     bool staged = false;              ///< engine::DeviceSettings::staged
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr; ///< engine::DeviceSettings::get_instance_proc_addr
     engine::Device* device = nullptr;                           ///< the host's, which outlives the renderer; null: one of its own
-    std::optional<int> shadow_texels{};                         ///< of RenderSettings; default: its own
-    /// The host changes the scene between frames (`scene_changed`): each obstacle is a body of its own.
+    bool draft = false;                                         ///< what a software device draws in time: small and hard shadows
+    /// The host changes the scene between frames (`change`): each obstacle is a body of its own, and what can be asked of an air is
+    /// read back.
     bool edited = false;
 };
 
@@ -75,7 +76,9 @@ struct Moment {
 struct Change {
     std::optional<glm::ivec2> size{}; ///< [px]
     std::optional<Show> show{};
-    bool obstacles = false; ///< some came or have another shape
+    bool obstacles = false;     ///< some came or have another shape
+    bool ground_memory = false; ///< the scene has one now
+    bool look = false;          ///< the mask of the first layer of grass is another: the ground has its look where that grows
 };
 
 /// Device memory by what it is for, [bytes].
@@ -104,6 +107,10 @@ class SceneRenderer {
     windrow::Result<void> change(const Change& change);
     [[nodiscard]] engine::Frames& frames() { return *frames_; }
     [[nodiscard]] Air& air() { return *air_; }
+    /// Other air of as many cells, as from `Air::load`. Nothing is in flight.
+    void take_air(Air air) { air_ = std::move(air); }
+    /// What its own air was made with.
+    [[nodiscard]] AirSettings air_settings() const;
     [[nodiscard]] windrow::scene::SceneAir& scene_air() { return scene_air_; }
 
     /// Frames so far.
@@ -124,11 +131,14 @@ class SceneRenderer {
     [[nodiscard]] glm::dvec3 anchor() const { return anchor_; }
     [[nodiscard]] SceneRendererMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
+    /// The mask of a layer of the scene has changed there.
+    windrow::Result<void> repaint(std::size_t layer, const grass::Touched& touched);
 
   private:
     SceneRenderer(const PictureScene& scene, const SceneRendererSettings& settings);
     windrow::Result<void> make();
     windrow::Result<void> make_renderer();
+    windrow::Result<void> make_ground_memory();
     /// Hands the renderer all that is drawn, in a fixed order.
     void attach();
     /// Where all that moves is at a frame's end.
@@ -136,11 +146,7 @@ class SceneRenderer {
     void collect(const engine::Frame& frame);
     windrow::Result<void> make_grass(const render::DrawTargets& targets);
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
-    windrow::Result<void> make_bodies(const render::DrawTargets& targets);
-    void place_bodies(double time);
     void move_figures(double time, double seconds);
-    windrow::Result<void> make_obstacles(const render::DrawTargets& targets);
-    void place_obstacles(double time);
     /// The air's next `dt` [s].
     windrow::Result<void> record_air(const engine::Frame& frame, double dt);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
@@ -171,9 +177,7 @@ class SceneRenderer {
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
     std::optional<FurredBodies> furred_{};
     std::optional<Figures> figures_{};
-    std::unique_ptr<render::Bodies> bodies_{};    ///< fans
-    std::unique_ptr<render::Bodies> obstacles_{}; ///< those at rest are the first body
-    std::vector<std::size_t> moving_{};           ///< indices in Scene::obstacles of the other bodies
+    std::optional<StandingBodies> standing_{};
     std::unique_ptr<render::WindArrows> arrows_{};
     std::unique_ptr<render::WindStreaks> streaks_{};
     std::unique_ptr<engine::Frames> frames_{};

@@ -146,7 +146,7 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
     const auto& grid = scene.ground.heights.grid();
     block_.terrain = {corner.x, corner.z, grid.spacing.x, corner.y};
     block_.terrain_size = {grid.corners, 0, 0};
-    block_.pixel = {2.0f / glm::vec2(settings.width, settings.height), 0.0f, 0.0f};
+    block_.pixel = {2.0f / glm::vec2(settings.width, settings.height), settings.soft_shadows ? 0.0f : 1.0f, 0.0f};
     block_.sunlight.w = scene.fog.density;
     block_.skylight.w = scene.fog.fall;
     block_.groundlight.w = static_cast<float>(scene.fog.base - settings.anchor.y);

@@ -2,6 +2,8 @@
 
 #include "fluid/core/message.h"
 #include "fluid/field_files.h"
+#include "fluid/files/new_file.h"
+#include "scene/config_text.h"
 #include "vegetation/program/film.h"
 
 #include <algorithm>
@@ -22,9 +24,23 @@ Desk::Desk(Session& its_session) : session(its_session), eye(program::camera_at(
     scene_file = beside(stem + "_edited.json");
     picture_file = stem + ".png";
     fields_file = stem + ".raw";
+    vdb_file = stem + ".vdb";
+    cpp_file = stem + "_config.h";
     log_folder = stem + "_log";
     film_file = stem + ".webp";
     overlay.speed = session.scene().air.pictures.speed_scale;
+}
+
+const ToolName& name_of(Tool tool) {
+    static constexpr std::array<ToolName, k_tools> k_names{
+        {{"choose", "chooses", "Circles, and drags what has a handle."},
+         {"gust", "slides gusts", "Pull over the ground: a push of air along that way, as fast as it is long."},
+         {"press", "presses grass", "Stroke the grass: it is trodden, and the air follows the hand at its own speed."},
+         {"comb", "combs grass", "Stroke the grass: blades lie along the stroke, and the air follows the hand."},
+         {"blow", "blows", "Click on the ground: a blast there, three times as wide as the hand."},
+         {"paint", "paints grass", "Stroke the ground: grass of the layer comes."},
+         {"erase", "erases grass", "Stroke the ground: grass of all layers goes."}}};
+    return k_names[static_cast<std::size_t>(tool)];
 }
 
 bool Desk::done(const Result<void>& result) {
@@ -83,6 +99,50 @@ void Desk::save_field() {
     grid.time = session.time();
     if (done(write_field(fields_file, FieldFormat::raw, grid)))
         tell("wrote " + fields_file);
+}
+
+void Desk::save_vdb() {
+    if (!write_vdb)
+        fault = "this build writes no VDB: install libopenvdb-dev and build again.";
+    else if (done(write_vdb(vdb_file, session.wind(), session.reader())))
+        tell("wrote " + vdb_file);
+}
+
+void Desk::save_cpp() {
+    const auto text = scene::write_cpp(session.air());
+    if (!done(text ? Result<void>{} : text.failure()))
+        return;
+    const std::string whole = message("// Settings of the wind of ", session.file().filename().string(),
+                                      ", as windrow view had them.\n#pragma once\n\n#include <windrow/fluid/config.h>\n\n"
+                                      "inline const windrow::Config k_wind = ",
+                                      *text, ";\n");
+    if (done(detail::write_file("settings", cpp_file, whole)))
+        tell("wrote " + cpp_file);
+}
+
+void Desk::take(Tool chosen_tool) {
+    tool = chosen_tool;
+    tell(name_of(tool).said);
+}
+
+void Desk::cut(SliceOf what) {
+    slice_of = what;
+    constexpr std::array<const char*, k_slices> k_names{"nothing", "pressure", "divergence"};
+    tell(message("cuts ", k_names[static_cast<std::size_t>(what)]));
+}
+
+void Desk::set_solver(program::Backend backend) {
+    if (done(session.set_solver(backend)))
+        tell(message("the air is solved on the ", backend == program::Backend::cpu ? "CPU" : "device"));
+}
+
+void Desk::compare() {
+    constexpr int k_ticks = 10;
+    const auto found = session.compare_solvers(k_ticks);
+    if (!done(found ? Result<void>{} : found.failure()))
+        return;
+    difference = *found;
+    tell(message("the solvers differ by ", found->largest, " m/s after ", found->ticks, " ticks"));
 }
 
 void Desk::begin_film() {

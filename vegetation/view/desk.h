@@ -4,6 +4,7 @@
 #include "fluid/debug_draw.h"
 #include "vegetation/view/eye.h"
 #include "vegetation/view/session.h"
+#include "vegetation/view/slice.h"
 
 #include <array>
 #include <functional>
@@ -41,7 +42,15 @@ struct Figures {
     Graph speed{}, cfl{}, energy{}, step_ms{}, frame_ms{}, cpu_ms{}, device_ms{};
 };
 
-enum class Tool { choose, gust };
+enum class Tool { choose, gust, press, comb, blow, paint, erase };
+/// Its names, in that order, and what each does.
+struct ToolName {
+    const char* name;
+    const char* said; ///< when it is taken
+    const char* meaning;
+};
+[[nodiscard]] const ToolName& name_of(Tool tool);
+inline constexpr int k_tools = 7;
 
 /// Added to a key that was pressed with Control.
 inline constexpr int k_control = 1 << 16;
@@ -67,8 +76,17 @@ struct Desk {
     glm::dvec3 grab{0.0}; ///< [m] from the pointer's place to what is dragged
     Tool tool = Tool::choose;
     std::optional<glm::dvec3> gust_from{};
-    std::string fault{}; ///< of the last change; empty: none
-    std::string scene_file{}, picture_file{}, fields_file{}, log_folder{}, film_file{};
+    float brush = 0.6f;              ///< [m] radius of the hand
+    int layer = 0;                   ///< that is painted
+    std::optional<glm::dvec3> dab{}; ///< the last of a stroke of the brush
+    SliceOf slice_of = SliceOf::nothing;
+    Slice slice{};
+    std::optional<Session::Difference> difference{}; ///< of both solvers
+    std::string fault{};                             ///< of the last change; empty: none
+    std::string scene_file{}, picture_file{}, fields_file{}, vdb_file{}, cpp_file{}, log_folder{}, film_file{};
+    /// Writes the air as a VDB; empty: the build has none.
+    std::function<Result<void>(const std::filesystem::path& file, const WindControl& control, const WindReader& reader)>
+        write_vdb{};
     bool wants_picture = false;
     std::optional<Filming> filming{};
     Figures figures{};
@@ -86,6 +104,12 @@ struct Desk {
     void add_fan(glm::dvec3 foot);
     void remove_chosen();
     void save_field();
+    void save_vdb();
+    void save_cpp();
+    void take(Tool chosen_tool);
+    void cut(SliceOf what);
+    void set_solver(program::Backend backend);
+    void compare();
     void begin_film();
     void end_film();
 };

@@ -66,9 +66,19 @@ void use_keys(Desk& desk, double seconds) {
     if (pressed(GLFW_KEY_N))
         desk.add_fan(foot);
     if (pressed(GLFW_KEY_G)) {
-        desk.tool = desk.tool == Tool::gust ? Tool::choose : Tool::gust;
-        desk.tell(desk.tool == Tool::gust ? "slides gusts" : "chooses");
+        desk.take(desk.tool == Tool::gust ? Tool::choose : Tool::gust);
     }
+    for (int n = 0; n < k_tools; ++n)
+        if (pressed(GLFW_KEY_1 + n))
+            desk.take(static_cast<Tool>(n));
+    if (pressed(GLFW_KEY_B))
+        desk.set_solver(desk.session.solver() == program::Backend::cpu ? program::Backend::vulkan : program::Backend::cpu);
+    if (pressed(GLFW_KEY_C))
+        desk.compare();
+    if (pressed(GLFW_KEY_X))
+        desk.cut(static_cast<SliceOf>((static_cast<int>(desk.slice_of) + 1) % k_slices));
+    if (pressed(GLFW_KEY_V))
+        desk.save_vdb();
     if (pressed(GLFW_KEY_DELETE))
         desk.remove_chosen();
     if (pressed(GLFW_KEY_S + k_control)) {

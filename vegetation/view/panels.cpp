@@ -14,7 +14,7 @@ namespace {
 
 using detail::message;
 
-constexpr float k_left = 330.0f, k_right = 250.0f; // [px] width of the panels
+constexpr float k_left = 300.0f, k_right = 200.0f; // [px] width of the panels
 
 /// [m/s] Mean speed 10 m above the ground of a force of Beaufort's scale: WMO-No. 8, 0.836 B^1.5.
 double speed_of_force(double force) {
@@ -142,6 +142,63 @@ void air_settings(Desk& desk) {
         ImGui::TextWrapped("Ambient wind and gusts act at once, all else from the next restart.");
 }
 
+/// What the left button does over the ground.
+void hand_controls(Desk& desk) {
+    for (int n = 0; n < k_tools; ++n) {
+        const auto tool = static_cast<Tool>(n);
+        if (n % 4 != 0)
+            ImGui::SameLine();
+        if (ImGui::RadioButton(name_of(tool).name, desk.tool == tool))
+            desk.take(tool);
+        controls::explain(message(name_of(tool).meaning, "\nKey ", n + 1));
+    }
+    if (desk.tool == Tool::choose || desk.tool == Tool::gust)
+        return;
+    constexpr float k_least = 0.2f, k_most = 10.0f;
+    ImGui::SetNextItemWidth(120.0f);
+    ImGui::SliderScalar("hand", ImGuiDataType_Float, &desk.brush, &k_least, &k_most, "%.1f m", ImGuiSliderFlags_Logarithmic);
+    const auto& layers = desk.session.scene().picture.grass;
+    if (desk.tool == Tool::paint && layers.size() > 1) {
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(90.0f);
+        if (ImGui::BeginCombo("##layer", layers[static_cast<std::size_t>(desk.layer)].name.c_str())) {
+            for (std::size_t n = 0; n < layers.size(); ++n)
+                if (ImGui::Selectable(layers[n].name.c_str(), desk.layer == static_cast<int>(n)))
+                    desk.layer = static_cast<int>(n);
+            ImGui::EndCombo();
+        }
+    }
+    const bool paints = desk.tool == Tool::paint || desk.tool == Tool::erase;
+    if (paints && !layers.empty())
+        if (const float finest = desk.session.finest_brush(static_cast<std::size_t>(desk.layer)); finest > desk.brush)
+            ImGui::TextWrapped("This mask shows strokes from %.1f m on: give it more corners (mask.corners).",
+                               static_cast<double>(finest));
+}
+
+void solver_controls(Desk& desk) {
+    if (!ImGui::CollapsingHeader("Solver"))
+        return;
+    using program::Backend;
+    const bool cpu = desk.session.solver() == Backend::cpu;
+    if (ImGui::RadioButton("CPU", cpu))
+        desk.set_solver(Backend::cpu);
+    controls::explain("Keeps the last minute. Key B");
+    ImGui::SameLine();
+    if (ImGui::RadioButton("device", !cpu))
+        desk.set_solver(Backend::vulkan);
+    controls::explain("The air goes over as a snapshot. A device keeps no past. Key B");
+    ImGui::SameLine();
+    if (ImGui::Button("Compare"))
+        desk.compare();
+    controls::explain("Copies of the air make ten ticks on each. Key C");
+    if (desk.difference) {
+        const Session::Difference& found = *desk.difference;
+        ImGui::TextWrapped("From %.2f s on, after %d ticks: they differ by %.2g m/s, %.2g of the fastest air.", found.time,
+                           found.ticks, static_cast<double>(found.largest),
+                           static_cast<double>(found.largest / std::max(found.fastest, 1e-30f)));
+    }
+}
+
 void list_things(Desk& desk) {
     if (!ImGui::CollapsingHeader("Motors and obstacles", ImGuiTreeNodeFlags_DefaultOpen))
         return;
@@ -152,18 +209,13 @@ void list_things(Desk& desk) {
     ImGui::SameLine();
     if (ImGui::Button("Add house"))
         desk.add_house(foot);
-    ImGui::SameLine();
-    bool gust = desk.tool == Tool::gust;
-    if (ImGui::Checkbox("Slide gusts", &gust))
-        desk.tool = gust ? Tool::gust : Tool::choose;
-    controls::explain("Pull the pointer over the ground: a push of air along that way, as fast as it is long.");
     const auto row = [&](Choice choice, const std::string& name, const char* kind) {
         ImGui::PushID(static_cast<int>(2 * choice.place + (choice.kind == Choice::Kind::motor ? 1 : 0)));
         if (ImGui::Selectable((name + "  (" + kind + ")").c_str(), desk.chosen == choice))
             desk.chosen = choice;
         ImGui::PopID();
     };
-    ImGui::BeginChild("things", {0.0f, 110.0f}, true);
+    ImGui::BeginChild("things", {0.0f, 76.0f}, true);
     for (std::size_t n = 0; n < desk.session.motors().size(); ++n)
         if (!desk.session.removed_motor(n))
             row({Choice::Kind::motor, n}, desk.session.motors()[n].name,
@@ -239,6 +291,8 @@ void file_controls(Desk& desk) {
     });
     line("Picture", desk.picture_file, [&] { desk.wants_picture = true; });
     line("Field", desk.fields_file, [&] { desk.save_field(); });
+    line("VDB", desk.vdb_file, [&] { desk.save_vdb(); });
+    line("C++", desk.cpp_file, [&] { desk.save_cpp(); });
     line("Log", desk.log_folder, [&] {
         std::error_code error;
         std::filesystem::create_directories(desk.log_folder, error);
@@ -264,15 +318,36 @@ void view_controls(Desk& desk) {
         if (desk.done(desk.session.player().change({.show = wanted})))
             desk.show = wanted;
     }
+    if (desk.show == program::Show::levels)
+        ImGui::TextWrapped("Levels of detail: near blades green, yellow as they become far ones, which are blue.");
+    else if (desk.show == program::Show::lean)
+        ImGui::TextWrapped("Lean of blades by the colours of speed, from 0 to 1.5 rad.");
+    constexpr std::array cuts{"none", "pressure", "divergence"};
+    int cut = static_cast<int>(desk.slice_of);
+    ImGui::SetNextItemWidth(150.0f);
+    if (ImGui::Combo("cut", &cut, cuts.data(), static_cast<int>(cuts.size())))
+        desk.cut(static_cast<SliceOf>(cut));
+    controls::explain(
+        "The cells at the height below, coloured. Pressure is relative to that outside of the box; a device has none.");
     ImGui::PushItemWidth(150.0f);
     (void)edit(desk.overlay);
     ImGui::PopItemWidth();
 }
 
+/// Under the pointer: what the device's time goes to.
+void explain_device(Desk& desk) {
+    if (!ImGui::IsItemHovered())
+        return;
+    std::string text;
+    for (const render::StageTime& stage : desk.session.player().times())
+        text += message(text.empty() ? "" : "\n", stage.name, ": ", std::lround(1e-3 * stage.us), " ms");
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
 void draw_figures(Desk& desk) {
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({whole.x - k_right, 0.0f});
-    ImGui::SetNextWindowSize({k_right, std::min(whole.y, 400.0f)});
+    ImGui::SetNextWindowSize({k_right, std::min(whole.y, 392.0f)});
     ImGui::SetNextWindowBgAlpha(0.7f);
     ImGui::Begin("Figures", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize);
     ImGui::TextWrapped("%s", desk.device.c_str());
@@ -283,8 +358,10 @@ void draw_figures(Desk& desk) {
     desk.figures.frame_ms.draw("frame", "ms");
     desk.figures.cpu_ms.draw("CPU a frame", "ms");
     desk.figures.device_ms.draw("device a frame", "ms");
+    explain_device(desk);
     const Diagnostics last = desk.session.reader().diagnostics();
-    ImGui::Text("%d motors in reach%s", last.motors_in_reach, last.asleep ? ", asleep" : "");
+    ImGui::Text("%d motor%s in reach%s", last.motors_in_reach, last.motors_in_reach == 1 ? "" : "s",
+                last.asleep ? ", asleep" : "");
     ImGui::End();
 }
 
@@ -296,7 +373,7 @@ void Graph::draw(const char* name, const char* unit) const {
     ImGui::PushID(name);
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::PlotLines("##graph", values_.data(), static_cast<int>(values_.size()), static_cast<int>(next_), nullptr, 0.0f, FLT_MAX,
-                     {0.0f, 26.0f});
+                     {0.0f, 20.0f});
     ImGui::PopID();
 }
 
@@ -310,6 +387,8 @@ void draw_panels(Desk& desk) {
     ImGui::Separator();
     wind_controls(desk);
     red(desk.fault);
+    hand_controls(desk);
+    solver_controls(desk);
     list_things(desk);
     edit_chosen(desk);
     air_settings(desk);

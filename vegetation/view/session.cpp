@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <system_error>
 #include <utility>
 
 namespace windrow::vegetation::view {
@@ -17,6 +19,7 @@ using detail::message;
 
 constexpr double k_kept = 60.0;                              // [s]
 constexpr double k_segment = 1.0;                            // [s] between snapshots
+constexpr double k_most_owed = 0.25;                         // [s] of a device that falls behind
 constexpr std::size_t k_most_bytes = std::size_t{512} << 20; // of snapshots
 
 scene::FrameTimes times_of(const scene::Scene& scene) {
@@ -52,7 +55,10 @@ Result<std::unique_ptr<Session>> Session::open(engine::Device& device, const std
     return made;
 }
 
-Result<void> Session::read(std::unique_ptr<program::PictureScene>& made, nlohmann::json& document) const {
+Result<void> Session::read(std::unique_ptr<program::PictureScene>& made, nlohmann::json& document) {
+    std::error_code none;
+    if (file_.extension() == ".log" || std::filesystem::is_directory(file_, none))
+        return read_recording(made, document);
     windrow::detail::InputBudget budget;
     const auto text = scene::read_text_file(file_, {.max_bytes = scene::k_max_scene_bytes}, budget);
     if (!text)
@@ -82,7 +88,8 @@ Result<void> Session::reload() {
     hills_ = scene_->air.obstacles.size() - obstacles_read_;
     motor_changed_.assign(motors_read_, false);
     obstacle_changed_.assign(scene_->air.obstacles.size(), false);
-    motor_removed_ = motor_changed_;
+    motor_removed_ = motor_of_moment_ = motor_changed_;
+    stroke_.reset();
     obstacle_removed_ = obstacle_changed_;
     document_ = std::move(document);
     air_read_ = scene_->air.air;
@@ -94,7 +101,9 @@ Result<void> Session::reload() {
 
 Result<void> Session::restart() {
     // What was added is there from the start; what was removed is gone, and keeps its place in the file's list without ever coming.
-    const auto settle = [](auto& list, std::size_t first_added, std::vector<bool>& removed, std::vector<bool>& changed) {
+    const std::vector<bool> timed = std::exchange(motor_of_moment_, {});
+    const auto settle = [&](auto& list, std::size_t first_added, std::vector<bool>& removed, std::vector<bool>& changed,
+                            const std::vector<bool>& keeps_time) {
         for (std::size_t n = list.size(); n-- > 0;) {
             const auto at = static_cast<std::ptrdiff_t>(n);
             if (removed[n] && n >= first_added) {
@@ -103,13 +112,17 @@ Result<void> Session::restart() {
                 changed.erase(changed.begin() + at);
             } else if (removed[n]) {
                 list[n].until = list[n].from;
-            } else if (n >= first_added) {
+            } else if (n >= first_added && (keeps_time.empty() || !keeps_time[n])) {
                 list[n].from = 0.0;
             }
         }
     };
-    settle(scene_->air.motors, motors_read_, motor_removed_, motor_changed_);
-    settle(scene_->air.obstacles, obstacles_read_ + hills_, obstacle_removed_, obstacle_changed_);
+    for (std::size_t n = 0; n < timed.size(); ++n)
+        if (n < motors_read_ || !motor_removed_[n])
+            motor_of_moment_.push_back(timed[n]);
+    stroke_.reset();
+    settle(scene_->air.motors, motors_read_, motor_removed_, motor_changed_, timed);
+    settle(scene_->air.obstacles, obstacles_read_ + hills_, obstacle_removed_, obstacle_changed_, {});
     auto before = std::move(player_); // ends after the new one is made, whose pipelines it shares
     auto begun = begin();
     before.reset();
@@ -122,15 +135,15 @@ Result<void> Session::begin() {
                                                            .backend = settings_.backend,
                                                            .max_blades = {},
                                                            .device = &device_,
-                                                           .shadow_texels = settings_.draft ? std::optional(256) : std::nullopt,
+                                                           .draft = settings_.draft,
                                                            .edited = true});
     if (!player)
         return player.failure();
     player_ = *std::move(player);
     segments_.clear();
-    owed_ = shown_ = latest_ = 0.0;
+    owed_ = shown_ = latest_ = chased_ = 0.0;
     waits_ = false;
-    return begin_segment();
+    return recording_ ? begin_recording() : begin_segment();
 }
 
 // --- Time --------------------------------------------------------------------------------------------------------------------
@@ -145,7 +158,7 @@ Result<void> Session::begin_segment() {
     std::size_t bytes = start->size();
     for (const auto& segment : segments_)
         bytes += segment->start.size();
-    while (!segments_.empty() && (time() - segments_.front()->state.time > k_kept || bytes > k_most_bytes)) {
+    while (!segments_.empty() && ((!recording_ && time() - segments_.front()->state.time > k_kept) || bytes > k_most_bytes)) {
         bytes -= segments_.front()->start.size();
         segments_.pop_front();
     }
@@ -169,6 +182,10 @@ Result<void> Session::step() {
     if (time() - segments_.back()->state.time >= k_segment - 1e-9)
         if (auto begun = begin_segment(); !begun)
             return begun;
+    if (recording_)
+        return play_recorded(*wind);
+    if (auto moved = move_hand(times.time_of_step(next)); !moved)
+        return moved;
     if (auto placed = player_->scene_air().advance_to(*wind, times.time_of_step(next)); !placed)
         return placed;
     if (const Diagnostics last = wind->step(times.length_of_step(next)); last.out_of_memory)
@@ -182,11 +199,22 @@ Result<void> Session::step() {
 Result<void> Session::play(double seconds) {
     owed_ += seconds;
     if (player_->air().cpu() == nullptr) {
-        owed_ = std::min(owed_, 1.0);
+        owed_ = std::min(owed_, k_most_owed);
         return {};
     }
+    owed_ = std::max(owed_, chased_ - time());
+    const auto next_length = [&] {
+        if (!recording_)
+            return times_of(scene_->air).length_of_step(steps() + 1);
+        const auto next = static_cast<std::size_t>(steps()) + 1;
+        return next < recording_->marks.size() ? recording_->marks[next].time - time() : std::numeric_limits<double>::infinity();
+    };
+    const auto whole = static_cast<std::int64_t>(std::min((owed_ + 1e-9) / next_length(), static_cast<double>(k_most_steps)));
+    if (whole > 0 && !recording_) // the hand goes evenly through the steps of a frame
+        if (auto moved = move_hand(times_of(scene_->air).time_of_step(steps() + whole)); !moved)
+            return moved;
     for (int n = 0; n < k_most_steps; ++n) {
-        const double length = times_of(scene_->air).length_of_step(steps() + 1);
+        const double length = next_length();
         if (owed_ + 1e-9 < length)
             return {};
         owed_ -= length;
@@ -198,6 +226,8 @@ Result<void> Session::play(double seconds) {
 }
 
 double Session::earliest() const {
+    if (recording_)
+        return 0.0;
     return segments_.empty() ? time() : segments_.front()->state.time;
 }
 
@@ -211,6 +241,14 @@ Result<void> Session::seek(double asked) {
     Wind* const wind = player_->air().cpu();
     if (wind == nullptr)
         return Error{"the air of a device is not kept: choose the solver on the CPU to go back in time."};
+    stroke_.reset();
+    chased_ = 0.0;
+    if (recording_) // the last step at or before it
+        for (const Recording::Mark& mark : recording_->marks)
+            if (mark.time <= asked + 1e-9)
+                chased_ = mark.time;
+    if (recording_ && asked < segments_.front()->state.time)
+        return begin_recording();
     std::size_t at = segments_.size() - 1;
     while (at > 0 && segments_[at]->state.time > asked + 1e-9)
         --at;
@@ -236,7 +274,15 @@ Result<void> Session::seek(double asked) {
             return loaded.failure();
     }
     const double latest = latest_;
-    auto state = count > 0 ? segment.steps[count - 1].state : segment.state;
+    wind->record_to(nullptr);
+    *wind = *std::move(loaded);
+    restore(count > 0 ? segment.steps[count - 1].state : segment.state);
+    latest_ = latest;
+    owed_ = 0.0;
+    return {};
+}
+
+void Session::restore(scene::SceneAir::State state) {
     // An owner is of the wind that is gone.
     for (auto& motor : state.motors)
         motor.id = motor.id.unowned();
@@ -244,21 +290,36 @@ Result<void> Session::seek(double asked) {
         id = id.unowned();
     for (auto& id : state.wakes)
         id = id.unowned();
-    wind->record_to(nullptr);
-    *wind = *std::move(loaded);
     player_->scene_air().restore(state);
-    latest_ = latest;
-    owed_ = 0.0;
-    return {};
 }
 
 Result<void> Session::record(const engine::Frame& frame, const render::Camera& camera, bool copied) {
     const bool cpu = player_->air().cpu() != nullptr;
     const double start = cpu ? std::min(shown_, time()) : time();
-    const double end = cpu ? time() : time() + std::exchange(owed_, 0.0);
+    double end = time();
+    const std::int64_t before = steps();
+    std::int64_t whole = 0;
+    if (!cpu) {
+        const scene::FrameTimes times = times_of(scene_->air);
+        whole = static_cast<std::int64_t>((owed_ + 1e-9) / times.length_of_step(before + 1));
+        if (whole > 0) {
+            end = times.time_of_step(before + whole);
+            owed_ -= end - start;
+            if (auto moved = move_hand(end); !moved)
+                return moved;
+        }
+    }
     shown_ = end;
     latest_ = std::max(latest_, end);
-    return player_->record(frame, {.start = start, .end = end, .camera = camera, .copied = copied, .stepped = cpu});
+    if (auto done = player_->record(frame, {.start = start, .end = end, .camera = camera, .copied = copied, .stepped = cpu});
+        !done)
+        return done;
+    if (whole > 1) { // the clock of the air counts a frame as one
+        scene::SceneAir::State state = player_->scene_air().state();
+        state.steps = before + whole;
+        player_->scene_air().restore(state);
+    }
+    return {};
 }
 
 // --- Changes -----------------------------------------------------------------------------------------------------------------
@@ -271,7 +332,13 @@ bool Session::can_change_obstacle(std::size_t place) const {
     return place < obstacles_read_ || place >= obstacles_read_ + hills_;
 }
 
+Result<void> Session::can_change() const {
+    return recording_ ? Result<void>(Error{"a recording is played as it was: open a scene to change one."}) : Result<void>{};
+}
+
 Result<void> Session::set_motor(std::size_t place, const Motor& motor) {
+    if (auto can = can_change(); !can)
+        return can;
     if (auto valid = validate(motor); !valid)
         return valid;
     const MotorId id = player_->scene_air().motor(place);
@@ -284,6 +351,8 @@ Result<void> Session::set_motor(std::size_t place, const Motor& motor) {
 }
 
 Result<void> Session::move_motor(std::size_t place, glm::dvec3 position) {
+    if (auto can = can_change(); !can)
+        return can;
     const MotorId id = player_->scene_air().motor(place);
     if (wind().motors().find(id) != nullptr)
         if (auto moved = wind().motors().move(id, position); !moved)
@@ -294,16 +363,18 @@ Result<void> Session::move_motor(std::size_t place, glm::dvec3 position) {
 }
 
 Result<std::size_t> Session::add_motor(const Motor& motor, std::string name) {
+    if (auto can = can_change(); !can)
+        return can.failure();
     if (auto valid = validate(motor); !valid)
         return valid.failure();
-    scene_->air.motors.push_back({.name = std::move(name), .motor = motor, .path = {}, .from = time()});
-    motor_changed_.push_back(true);
-    motor_removed_.push_back(false);
-    player_->scene_air().take_appended();
-    return scene_->air.motors.size() - 1;
+    const auto added = add_moment({.name = std::move(name), .motor = motor, .path = {}, .from = time()});
+    motor_of_moment_.back() = false;
+    return added;
 }
 
 Result<void> Session::remove_motor(std::size_t place) {
+    if (auto can = can_change(); !can)
+        return can;
     const MotorId id = player_->scene_air().motor(place);
     if (wind().motors().find(id) != nullptr)
         if (auto removed = wind().motors().remove(id); !removed)
@@ -314,6 +385,8 @@ Result<void> Session::remove_motor(std::size_t place) {
 }
 
 Result<void> Session::set_obstacle(std::size_t place, const Obstacle& obstacle) {
+    if (auto can = can_change(); !can)
+        return can;
     if (auto valid = validate(obstacle); !valid)
         return valid;
     const ObstacleId id = player_->scene_air().obstacle(place);
@@ -326,6 +399,8 @@ Result<void> Session::set_obstacle(std::size_t place, const Obstacle& obstacle) 
 }
 
 Result<void> Session::move_obstacle(std::size_t place, glm::dvec3 position, glm::quat orientation) {
+    if (auto can = can_change(); !can)
+        return can;
     const ObstacleId id = player_->scene_air().obstacle(place);
     if (wind().obstacles().find(id) != nullptr)
         if (auto moved = wind().obstacles().move(id, position, orientation); !moved)
@@ -337,6 +412,8 @@ Result<void> Session::move_obstacle(std::size_t place, glm::dvec3 position, glm:
 }
 
 Result<std::size_t> Session::add_obstacle(const Obstacle& obstacle, std::string name) {
+    if (auto can = can_change(); !can)
+        return can.failure();
     if (auto valid = validate(obstacle); !valid)
         return valid.failure();
     scene_->air.obstacles.push_back({.name = std::move(name), .obstacle = obstacle, .path = {}, .turn_path = {}, .from = time()});
@@ -349,12 +426,16 @@ Result<std::size_t> Session::add_obstacle(const Obstacle& obstacle, std::string 
 }
 
 Result<void> Session::remove_obstacle(std::size_t place) {
+    if (auto can = can_change(); !can)
+        return can;
     scene_->air.obstacles[place].until = time(); // it leaves with the next step
     obstacle_removed_[place] = true;
     return {};
 }
 
 Result<void> Session::set_air(const Config& air) {
+    if (auto can = can_change(); !can)
+        return can;
     if (auto valid = validate(air); !valid)
         return valid;
     const Config& now = wind().config();

@@ -13,12 +13,15 @@
 
 #include "fluid/event_log.h"
 #include "vegetation/program/scene_renderer.h"
+#include "vegetation/view/slice.h"
 
 #include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,13 +60,56 @@ class Session {
     Result<void> step();
     /// [s] The earliest moment that `seek` reaches; time() where there is none, as on a device.
     [[nodiscard]] double earliest() const;
-    [[nodiscard]] double latest() const { return latest_; }
+    [[nodiscard]] double latest() const { return recording_ ? recording_->marks.back().time : latest_; }
     /// The last step at or before a moment from earliest() to latest(). The next step forgets what was after it.
     Result<void> seek(double time);
     /// From time 0, with all that was changed.
     Result<void> restart();
     /// Reads the file again and begins with it; where it is rejected nothing changes.
     Result<void> reload();
+
+    // --- The solver ------------------------------------------------------------------------------------------------------------
+    [[nodiscard]] program::Backend solver() { return player_->air().backend(); }
+    /// The air goes over to the other solver as a snapshot, and on from there. The past is kept by the one on the CPU alone.
+    Result<void> set_solver(program::Backend backend);
+    /// How far both solvers come apart from the air of now.
+    struct Difference {
+        double time = 0.0;    ///< [s] where they began
+        int ticks = 0;        ///< that both made
+        float largest = 0.0f; ///< [m/s] of any cell
+        float fastest = 0.0f; ///< [m/s] the fastest cell
+    };
+    /// Copies of the air make so many ticks on each; the air itself stays as it is.
+    Result<Difference> compare_solvers(int ticks);
+
+    // --- The hand: what it does is in the scene that is saved, at its own time -----------------------------------------------------
+    enum class Hand { press, comb };
+    /// A stroke from its first place over the ground on, while the scene plays: a wake as fast as the hand, and a walker who presses
+    /// the grass of the ground's memory; of a comb a row of walkers, each a texel wide, who lay it along their way.
+    Result<void> begin_stroke(Hand hand, glm::dvec3 place, float radius);
+    void stroke_to(glm::dvec3 place);
+    /// Rejects a stroke in which no time has passed.
+    Result<void> end_stroke();
+    [[nodiscard]] bool strokes() const { return stroke_.has_value(); }
+    /// A burst from here and now.
+    Result<std::size_t> blast(glm::dvec3 place, float radius, float speed);
+    /// A push of the air from now on, with an end of its own.
+    Result<std::size_t> gust(const DirectionalMotor& motor);
+    /// A dab of a brush: grass of a layer comes, or that of all layers goes. At least as wide as the mask's corners are apart.
+    Result<void> paint(std::size_t layer, glm::dvec3 place, float radius, bool erases);
+    /// After the dabs of a stroke: the ground has its look by them.
+    Result<void> end_painting();
+    /// [m] The smallest brush that a layer's mask shows.
+    [[nodiscard]] float finest_brush(std::size_t layer) const;
+
+    // --- A recording: the file is a log, or the folder of one ------------------------------------------------------------------------
+    /// Whether a host's own session is played: its calls are in the log, and it cannot be changed.
+    [[nodiscard]] bool is_recording() const { return recording_.has_value(); }
+    /// Whether steps lead to a moment that was asked for.
+    [[nodiscard]] bool chases() const { return chased_ > time() + 1e-9; }
+
+    /// Works a slice of the air of now out.
+    Result<void> look(Slice& slice, SliceOf what, double height, double step);
 
     /// Records a frame: the air as it is now.
     Result<void> record(const engine::Frame& frame, const render::Camera& camera, bool copied);
@@ -110,12 +156,44 @@ class Session {
         std::vector<Step> steps{};
     };
 
+    /// A stroke of the hand that is under way.
+    struct StrokeNow {
+        Hand hand = Hand::press;
+        float radius = 0.5f;
+        glm::dvec3 place{0.0}, way{1.0, 0.0, 0.0};
+        std::string name{};
+        std::vector<std::size_t> paths{}; ///< its teeth; empty: it has not begun
+        std::size_t motor = 0;
+    };
+    /// A log of a host's calls, and where each of its steps ends.
+    struct Recording {
+        std::vector<std::byte> start{};
+        EventLog log{};
+        struct Mark {
+            double time = 0.0;      ///< [s]
+            std::size_t events = 0; ///< so far
+        };
+        std::vector<Mark> marks{}; ///< of no step, then of each
+    };
+
     Session(engine::Device& device, std::filesystem::path file, const SessionSettings& settings)
         : device_(device), file_(std::move(file)), settings_(settings) {}
-    Result<void> read(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document) const;
+    Result<void> read(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document);
     Result<void> begin();
     Result<void> begin_segment();
     void forget_future();
+    /// The same moment in an air that goes on from a snapshot.
+    Result<void> go_on(std::span<const std::byte> bytes, program::Backend backend);
+    void restore(scene::SceneAir::State state);
+    [[nodiscard]] std::int64_t step_at(double time) const;
+    Result<void> begin_teeth();
+    /// The hand is at its place at the end of the coming steps.
+    Result<void> move_hand(double end);
+    Result<std::size_t> add_moment(scene::SceneMotor motor);
+    [[nodiscard]] Result<void> can_change() const;
+    Result<void> read_recording(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document);
+    Result<void> begin_recording();
+    Result<void> play_recorded(Wind& wind);
     [[nodiscard]] nlohmann::json motor_json(std::size_t place) const;
     [[nodiscard]] nlohmann::json obstacle_json(std::size_t place) const;
 
@@ -128,6 +206,11 @@ class Session {
     std::size_t motors_read_ = 0, obstacles_read_ = 0, hills_ = 0; ///< of the file: those come first
     std::vector<bool> motor_changed_{}, obstacle_changed_{};
     std::vector<bool> motor_removed_{}, obstacle_removed_{};
+    std::vector<bool> motor_of_moment_{}; ///< added, with its own times
+    std::optional<StrokeNow> stroke_{};
+    std::optional<Recording> recording_{};
+    double chased_ = 0.0; ///< [s]
+    int strokes_made_ = 0;
     std::unique_ptr<program::SceneRenderer> player_{};
     std::deque<std::unique_ptr<Segment>> segments_{};
     double owed_ = 0.0;   ///< [s] to be played

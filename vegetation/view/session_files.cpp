@@ -64,6 +64,13 @@ json Session::motor_json(std::size_t place) const {
         for (const char* const key : {"from", "until", "path"})
             if (document_["motors"][place].contains(key))
                 object[key] = document_["motors"][place][key];
+    if (motor_of_moment_[place]) {
+        object["from"] = motor.from;
+        if (std::isfinite(motor.until))
+            object["until"] = motor.until;
+        if (motor.path)
+            object["path"] = scene_->air.paths[*motor.path].name;
+    }
     if (motor.path || std::holds_alternative<WakeMotor>(motor.motor))
         object.erase("position");
     return object;
@@ -89,6 +96,8 @@ json Session::obstacle_json(std::size_t place) const {
 }
 
 Result<void> Session::save(const std::filesystem::path& file) const {
+    if (auto can = can_change(); !can)
+        return Error{"a recording has no scene to save: save the scene that its host began with."};
     json document = document_;
     const auto list = [&](const char* key, std::size_t first, std::size_t skipped, std::size_t count,
                           const std::vector<bool>& removed, const auto& one) {

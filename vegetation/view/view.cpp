@@ -47,6 +47,9 @@ class Interface {
         io.IniFilename = nullptr; // no file is left where it is started
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         ImGui::StyleColorsDark();
+        ImGui::GetStyle().FrameBorderSize = 1.0f; // a box that is not ticked is seen on a picture
+        ImGui::GetStyle().FrameRounding = 3.0f;
+        ImGui::GetStyle().ItemSpacing.y = 3.0f;
         glfwSetWindowUserPointer(window, this);
         glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int, int action, int held) { // ImGui's own calls it
             if (action == GLFW_PRESS)
@@ -106,7 +109,7 @@ class Loop {
   private:
     /// For the next frame's time; where nothing moves, for a hand. False: nothing is to be drawn.
     bool wait() {
-        if (desk_.playing || desk_.filming || lively_ > 0) {
+        if (desk_.playing || desk_.filming || session_.chases() || lively_ > 0) {
             const double left = k_shortest_frame - since(last_);
             if (left > 0.0)
                 glfwWaitEventsTimeout(left);
@@ -160,8 +163,8 @@ class Loop {
     Result<void> advance(double seconds) {
         if (desk_.filming)
             return session_.play(1.0 / session_.scene().frames_per_second());
-        if (desk_.playing)
-            return session_.play(std::min(seconds, 0.5) * desk_.rate);
+        if (desk_.playing || session_.chases())
+            return session_.play(desk_.playing ? std::min(seconds, 0.5) * desk_.rate : 0.0);
         return {};
     }
 
@@ -291,6 +294,7 @@ Result<ViewSummary> view(const ViewRequest& request, const std::function<void(co
         desk.say = say;
         desk.playing = !request.paused;
         desk.panel = request.panel;
+        desk.write_vdb = request.write_vdb;
         desk.device = summary.device = device.name() + (draft ? ", draft look" : ", full look");
         if (auto done = Loop(**window, **session, interface, **painter, desk, summary).run(); !done)
             return done.failure();

@@ -22,6 +22,9 @@ struct ViewRequest {
     bool paused = false;                       ///< it begins at rest
     bool panel = true;
     bool validation = false; ///< of the calls of Vulkan; needs the validation layer
+    /// Writes the air as a VDB, where the build can.
+    std::function<Result<void>(const std::filesystem::path& file, const WindControl& control, const WindReader& reader)>
+        write_vdb{};
 };
 
 /// What a session was, for its last words.

@@ -21,7 +21,7 @@ layout(std140, set = 0, binding = 0) uniform RenderFrame {
     vec4 shadow_texel;  // x, y [m] of the near and the far shadow; z its share of the map's height; w reach of the near one [m]
     vec4 terrain;       // x, y place of the corner sample along x and z; z [m] between samples; w [m] added to its heights
     ivec4 terrain_size; // x columns, y rows; z what grass shows in place of its colours (grass_view.glsl)
-    vec4 pixel;         // xy clip space over w, a pixel of the picture; zw 0
+    vec4 pixel;         // xy clip space over w, a pixel of the picture; z 1: hard shadows; w 0
     WindrowClouds clouds;
     vec4 cloud_map; // xy cell of the clouds' noise at its corner; z maps a cell; w maps a texel, 1 where there is none
     // clang-format off
