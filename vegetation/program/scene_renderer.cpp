@@ -141,7 +141,7 @@ Result<void> SceneRenderer::make_renderer() {
                                  .apart = settings_.edited};
     if (settings_.draft) {
         drawn.shadow_texels = 256;
-        drawn.soft_shadows = false;
+        drawn.draft = true;
     }
     auto renderer = render::Renderer::create(*device_, scene, drawn);
     if (!renderer)

@@ -139,14 +139,14 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
                                      .target = images_.toned_target()});
     if (settings.shutter_deg > 0.0f)
         blur_.emplace(objects_, images_, frame_layout_, settings.shutter_deg);
-    terrain_.emplace(objects_, draw_targets(), scene, settings.quality.ground_texels);
+    terrain_.emplace(objects_, draw_targets(), scene, settings.quality.ground_texels, settings.draft);
     add(*terrain_, "ground");
 
     const glm::vec3 corner(scene.ground.corner - settings.anchor);
     const auto& grid = scene.ground.heights.grid();
     block_.terrain = {corner.x, corner.z, grid.spacing.x, corner.y};
     block_.terrain_size = {grid.corners, 0, 0};
-    block_.pixel = {2.0f / glm::vec2(settings.width, settings.height), settings.soft_shadows ? 0.0f : 1.0f, 0.0f};
+    block_.pixel = {2.0f / glm::vec2(settings.width, settings.height), settings.draft ? 1.0f : 0.0f, 0.0f};
     block_.sunlight.w = scene.fog.density;
     block_.skylight.w = scene.fog.fall;
     block_.groundlight.w = static_cast<float>(scene.fog.base - settings.anchor.y);

@@ -75,7 +75,7 @@ struct RenderSettings {
     int height = 720;
     int samples = 4;
     int shadow_texels = 1024;
-    bool soft_shadows = true;
+    bool draft = false;
     float near_shadow = 12.0f;
     float far_shadow = 70.0f;
     float shutter_deg = 0.0f;
@@ -90,8 +90,10 @@ struct RenderSettings {
             Setting("height", &RenderSettings::height, {16.0, 8192.0, "px"}, "Of the picture."),
             Setting("samples", &RenderSettings::samples, {1.0, 4.0}, "A pixel: 1, 4, or 2 where the device can."),
             Setting("shadow_texels", &RenderSettings::shadow_texels, {64.0, 4096.0}, "A side of each shadow."),
-            Setting("soft_shadows", &RenderSettings::soft_shadows,
-                    "Edges of shadows are four texels wide, by nine samples. Off: one sample, for a draft."),
+            Setting(
+                "draft", &RenderSettings::draft,
+                "For a software device: a shadow is one sample in place of nine, and tiles of the ground are drawn from front "
+                "to back, a draw each, so that what hills hide is not shaded."),
             Setting("near_shadow", &RenderSettings::near_shadow, {0.1, 1e5, "m"},
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},

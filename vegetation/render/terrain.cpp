@@ -35,8 +35,8 @@ engine::Buffer Terrain::heights(engine::Objects& objects, const Ground& ground) 
     return filled(objects, ground.heights.heights(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels)
-    : tiles_(scene.ground.heights), map_(objects, map_of(scene.ground, map_texels)) {
+Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels, bool front_first)
+    : tiles_(scene.ground.heights), map_(objects, map_of(scene.ground, map_texels)), front_first_(front_first) {
     const Ground& ground = scene.ground;
     const std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
                               engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT},
@@ -77,6 +77,8 @@ Result<void> Terrain::prepare(const PassContext& context) {
     const std::array views{block.view_projection, block.shadow[0], block.shadow[1]};
     for (std::size_t n = 0; n < views.size(); ++n)
         tiles_.find_seen(views[n], corner, draws_[n]);
+    if (front_first_)
+        tiles_.sort_strips(glm::vec2(block.eye.x, block.eye.z) - glm::vec2(corner.x, corner.z), draws_[0]);
     map_.record(context.commands, glm::vec2(block.eye.x, block.eye.z) - glm::vec2(corner.x, corner.z));
     return {};
 }

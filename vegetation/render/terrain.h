@@ -12,8 +12,8 @@ namespace windrow::vegetation::render {
 
 class Terrain final : public Drawable {
   public:
-    /// Objects of the renderer's. `map_texels` is Quality::ground_texels.
-    Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels);
+    /// Objects of the renderer's. `map_texels` is Quality::ground_texels, `front_first` RenderSettings::draft.
+    Terrain(engine::Objects& objects, const DrawTargets& targets, const Scene& scene, int map_texels, bool front_first = false);
 
     /// The heights, for set 0.
     [[nodiscard]] static engine::Buffer heights(engine::Objects& objects, const Ground& ground);
@@ -30,6 +30,7 @@ class Terrain final : public Drawable {
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
     glm::ivec2 mask_corners_{2};
+    bool front_first_;
 };
 
 } // namespace windrow::vegetation::render

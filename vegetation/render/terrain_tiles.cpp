@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace windrow::vegetation::render {
 namespace {
@@ -79,6 +80,25 @@ void TerrainTiles::find_seen(const glm::mat4& view, glm::vec3 corner, Draws& dra
             flat = tile.level;
         }
     }
+}
+
+void TerrainTiles::sort_strips(glm::vec2 eye, Draws& draws) const {
+    constexpr auto k_step = static_cast<std::uint32_t>(2 * k_side); // vertices between tiles of a row
+    std::vector<TerrainDraw> tiles;
+    for (const TerrainDraw& run : draws.strips)
+        for (std::uint32_t first = 0; first + 2 < run.vertices; first += k_step) {
+            TerrainDraw tile = run;
+            tile.first_vertex += first;
+            tile.vertices = std::min(run.vertices - first, k_step + 2);
+            tiles.push_back(tile);
+        }
+    const auto away = [&](const TerrainDraw& tile) {
+        const std::size_t x = tile.first_vertex / k_step, z = tile.first_instance / static_cast<std::uint32_t>(k_side);
+        const glm::vec3 middle = all_[z * static_cast<std::size_t>(tiles_.x) + x].middle;
+        return glm::distance(eye, glm::vec2(middle.x, middle.z));
+    };
+    std::stable_sort(tiles.begin(), tiles.end(), [&](const auto& a, const auto& b) { return away(a) < away(b); });
+    draws.strips = std::move(tiles);
 }
 
 } // namespace windrow::vegetation::render

@@ -35,6 +35,9 @@ class TerrainTiles {
     /// What may be seen in `view`, to clip space from where the corner of the heights is at `corner` [m]. Reuses the vectors' memory.
     void find_seen(const glm::mat4& view, glm::vec3 corner, Draws& draws) const;
 
+    /// Divides strips by tiles, the nearest to `eye` first [m from the corner of the heights].
+    void sort_strips(glm::vec2 eye, Draws& draws) const;
+
     [[nodiscard]] glm::ivec2 tiles() const { return tiles_; }
     [[nodiscard]] bool level(glm::ivec2 tile) const { return at(tile).level; }
 

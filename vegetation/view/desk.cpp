@@ -120,6 +120,13 @@ void Desk::save_cpp() {
         tell("wrote " + cpp_file);
 }
 
+void Desk::save_log() {
+    std::error_code error;
+    std::filesystem::create_directories(log_folder, error);
+    if (done(session.save_log(log_folder)))
+        tell("wrote the log " + log_folder);
+}
+
 void Desk::take(Tool chosen_tool) {
     tool = chosen_tool;
     tell(name_of(tool).said);

@@ -106,6 +106,7 @@ struct Desk {
     void save_field();
     void save_vdb();
     void save_cpp();
+    void save_log();
     void take(Tool chosen_tool);
     void cut(SliceOf what);
     void set_solver(program::Backend backend);

@@ -79,6 +79,10 @@ void use_keys(Desk& desk, double seconds) {
         desk.cut(static_cast<SliceOf>((static_cast<int>(desk.slice_of) + 1) % k_slices));
     if (pressed(GLFW_KEY_V))
         desk.save_vdb();
+    if (pressed(GLFW_KEY_K))
+        desk.save_cpp();
+    if (pressed(GLFW_KEY_L))
+        desk.save_log();
     if (pressed(GLFW_KEY_DELETE))
         desk.remove_chosen();
     if (pressed(GLFW_KEY_S + k_control)) {

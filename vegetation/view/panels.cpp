@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <imgui_stdlib.h>
 #include <numbers>
-#include <system_error>
 
 namespace windrow::vegetation::view {
 namespace {
@@ -293,12 +292,7 @@ void file_controls(Desk& desk) {
     line("Field", desk.fields_file, [&] { desk.save_field(); });
     line("VDB", desk.vdb_file, [&] { desk.save_vdb(); });
     line("C++", desk.cpp_file, [&] { desk.save_cpp(); });
-    line("Log", desk.log_folder, [&] {
-        std::error_code error;
-        std::filesystem::create_directories(desk.log_folder, error);
-        if (desk.done(desk.session.save_log(desk.log_folder)))
-            desk.tell("wrote the log " + desk.log_folder);
-    });
+    line("Log", desk.log_folder, [&] { desk.save_log(); });
     line(desk.filming ? "Stop film" : "Film", desk.film_file, [&] { desk.filming ? desk.end_film() : desk.begin_film(); });
 }
 

@@ -109,6 +109,9 @@ class Loop {
   private:
     /// For the next frame's time; where nothing moves, for a hand. False: nothing is to be drawn.
     bool wait() {
+        // On a software device frames that overlap gain nothing: the hand would wait for two of them.
+        if (session_.settings().draft)
+            (void)session_.player().frames().wait(); // what fails here fails in the frame
         if (desk_.playing || desk_.filming || session_.chases() || lively_ > 0) {
             const double left = k_shortest_frame - since(last_);
             if (left > 0.0)

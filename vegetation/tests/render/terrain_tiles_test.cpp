@@ -54,6 +54,9 @@ TEST(TerrainTiles, DrawEachCellThatIsSeenOnce) {
         TerrainTiles::Draws draws;
         tiles.find_seen(view, k_first_corner, draws);
         const std::vector<int> times = times_drawn(tiles, draws, cells);
+        const glm::vec2 eye(glm::vec3(camera.position) - k_first_corner);
+        tiles.sort_strips({eye.x, static_cast<float>(camera.position.z) - k_first_corner.z}, draws);
+        ASSERT_EQ(times_drawn(tiles, draws, cells), times) << "sorted strips are other cells";
         for (int z = 0; z < cells.y; ++z)
             for (int x = 0; x < cells.x; ++x) {
                 const int here = times[static_cast<std::size_t>(z * cells.x + x)];

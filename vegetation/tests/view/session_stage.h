@@ -54,6 +54,8 @@ class SessionTest : public testing::Test {
     [[nodiscard]] Cells run(const char* name, int steps) const {
         const auto scene = scene::read_scene(folder_.path() / name);
         EXPECT_TRUE(scene) << scene.error();
+        if (!scene)
+            return {};
         auto wind = Wind::create(scene->air);
         scene::SceneAir air(*scene);
         EXPECT_TRUE(air.begin(*wind));

@@ -199,6 +199,64 @@ def work(hand, windrow, folder, scene):
     assert seen != field_of(windrow, scene, folder / "run_before", 2), "the changes changed nothing"
 
 
+def walk(hand, folder, scene):
+    """The hand on the grass, both solvers, cuts, files, and the log of it as a recording."""
+    hand.open(scene, "--no-panel")
+    hand.key("x")
+    hand.heard("cuts pressure")
+    time.sleep(1.0)
+    hand.picture("8_pressure")
+    hand.key("x")
+    hand.heard("cuts divergence")
+    hand.key("x")
+    for number, tool, said, end in ((3, "press", "presses grass", "stroked the grass"), (4, "comb", "combs grass", "stroked the grass"),
+                                    (6, "paint", "paints grass", "painted grass"), (7, "erase", "erases grass", "erased grass")):
+        before = len(hand.drain())
+        hand.key(str(number))
+        hand.heard(said, before)
+        hand.drag((380, 430), (600, 410))
+        hand.heard(end, before)
+        hand.picture(f"9_{tool}")
+    hand.key("5")
+    hand.heard("blows")
+    hand.do("mousemove", 480, 380)
+    time.sleep(0.5)
+    hand.do("click", 1)
+    hand.heard("blew blast")
+    hand.key("1")
+    hand.key("c")
+    line, _ = hand.heard(r"the solvers differ by")
+    difference = float(re.search(r"differ by (\S+) m/s", line).group(1))
+    assert 0.0 <= difference < 1e-2, line
+    for key, file in (("v", "yard.vdb"), ("k", "yard_config.h"), ("l", "yard_log")):
+        before = len(hand.drain())
+        hand.key(key)
+        hand.heard("wrote .*" + re.escape(file), before)
+        assert (folder / file).exists(), file
+    assert "windrow::Config{" in (folder / "yard_config.h").read_text()
+    before = len(hand.drain())
+    hand.key("b")
+    hand.heard("solved on the device", before)
+    hand.picture("9_on_the_device")
+    hand.key("b")
+    hand.heard("solved on the CPU", before)
+    hand.key("ctrl+s")
+    hand.heard("saved ")
+    code, said = hand.close()
+    assert code == 0, said
+    edited = json.loads((folder / "yard_edited.json").read_text())
+    assert [motor["kind"] for motor in edited["motors"]] == ["jet", "wake", "wake", "pressure"], edited["motors"]
+    assert len(edited["picture"]["walkers"]) == 8 and edited["picture"]["grass"][0]["mask"]["strokes"], edited["picture"]
+    hand.open(folder / "yard_log", "--paused")
+    for _ in range(3):
+        before = len(hand.drain())
+        hand.key("period")
+        hand.heard("made a step", before)
+    hand.picture("9_recording")
+    code, said = hand.close()
+    assert code == 0, said
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("windrow", type=lambda path: str(pathlib.Path(path).resolve()))
@@ -233,6 +291,7 @@ def main():
         hand = Hand(asked.windrow, asked.pictures)
         try:
             if asked.long:
+                walk(hand, folder, scene)
                 hand.open(scene, "--validation")
                 for n in range(50):
                     width, height = 640 + 8 * (n % 20), 400 + 4 * (n % 23)
