@@ -303,10 +303,12 @@ void Solids::draw_image(std::size_t number, const Reach& drawn, glm::ivec3 offse
 }
 
 // How far a cell at sharp edges along each axis is shut (edges.h), `away` [cells] from the surface: wholly .2 cells inside the body, not at
-// all .3 outside, so that a body that moves closes it by and by.
+// all .3 outside, so that a body that moves closes it by and by. What is drawn before the body has no part in it.
 glm::vec3 Solids::shut_by_edges(const View& view, glm::ivec3 cell, float away) const {
     constexpr float k_at_surface = 0.6f, k_slope = 2.0f; // [1/cell]
     const glm::vec3 centre = glm::vec3(cell) + 0.5f, up(0.0f, 0.5f, 0.0f);
+    if (!before_.empty() && away < k_at_surface / k_slope)
+        away = together_.own_away(view.from_middle(centre)) / view.cell_size;
     const float row = view.from_middle(centre + up).y - view.from_middle(centre - up).y;
     away /= std::min(row / view.cell_size, 1.0f);
     const float shut = std::clamp(k_at_surface - k_slope * away, 0.0f, 1.0f);

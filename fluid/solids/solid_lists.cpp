@@ -87,7 +87,8 @@ void Solids::gather_faces() {
                 continue;
             ++in_body;
             const std::uint32_t n = index(inside.cell);
-            if ((flags_[n] & k_inside) == 0) {
+            // What a body that moves has in common with one at rest stays the latter's, as its faces do, whichever comes first.
+            if ((flags_[n] & k_inside) == 0 || (bodies_[body_of_[n]].moves() && !bodies_[body].moves())) {
                 body_of_[n] = number;
                 drawn_of_[n] = which;
             }
