@@ -231,13 +231,13 @@ void WindCore::run_step(double duration, float outer_way, Diagnostics& report) {
                   .renews_sources = renews_sources,
                   .has_source_flow = source_name != 0,
                   .kept = frames.has_value(),
-                  .may_rest = outer_rests && Sleep::may_begin(conditions),
+                  .may_rest = Sleep::may_begin(conditions),
                   .outer_way = outer_way};
     speed.note(cells_.measured());
     speed.note(step, box());
     step.tick = speed.tick();
     sleep.begin_tick(!step.may_rest);
-    step.rests = step.may_rest && (begins_ambient || speed.was_still(sleep.undisturbed));
+    step.rests = outer_rests && step.may_rest && (begins_ambient || speed.was_still(sleep.undisturbed));
     if (std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); }))
         step.substeps = speed.substeps(config, duration);
     const bool rests = cells_.step(step, report);

@@ -128,6 +128,12 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool asleep() const;
     /// [m^2/s^2] Of a cell in the frame shown.
     [[nodiscard]] float shown_pressure(std::size_t cell) const;
+    /// The ambient wind in the cells of the frame shown: they lie between those of two ticks, and so do their gusts.
+    struct ShownAmbient {
+        AmbientWind now, before;
+        float factor = 1.0f; ///< of the way from `before`
+    };
+    [[nodiscard]] ShownAmbient shown_ambient() const;
     /// visit(cell, velocity) for each cell in a body that is read as air beside it, in the frame shown.
     void for_each_filled(const std::function<void(std::uint32_t, glm::vec3)>& visit) const;
 

@@ -77,6 +77,15 @@ float Cells::shown_pressure(std::size_t cell) const {
     return wind_.frames ? pressure_before_[cell] + shown_factor_ * (pressure_[cell] - pressure_before_[cell]) : pressure_[cell];
 }
 
+Cells::ShownAmbient Cells::shown_ambient() const {
+    ShownAmbient shown{wind_.ambient, wind_.ambient};
+    if (wind_.frames) {
+        shown.before.set_phase(wind_.frames->gust_phase_before);
+        shown.factor = shown_factor_;
+    }
+    return shown;
+}
+
 void Cells::for_each_filled(const std::function<void(std::uint32_t, glm::vec3)>& visit) const {
     const SampledCells& sampled = shown_sample();
     if (sampled.reading)

@@ -17,10 +17,19 @@ namespace windrow::cpu {
 /// The outer wind that is shown now.
 class AirOfNow {
   public:
-    explicit AirOfNow(Cells& outer) : outer_(outer), view_(outer.shown_view(false)) {}
+    explicit AirOfNow(Cells& outer) : outer_(outer), view_(outer.shown_view(false)), ambient_(outer.shown_ambient()) {}
 
     [[nodiscard]] const WindView& view() const { return view_; }
     [[nodiscard]] float pressure(std::size_t cell) const { return outer_.shown_pressure(cell); }
+    /// [m/s] A at places, as it is part of the cells. `scratch`: as many.
+    void ambient(std::span<const glm::dvec3> places, std::span<glm::vec3> winds, std::span<glm::vec3> scratch) const {
+        ambient_.now.velocity(places, winds);
+        if (ambient_.factor == 1.0f)
+            return;
+        ambient_.before.velocity(places, scratch);
+        for (std::size_t n = 0; n < places.size(); ++n)
+            winds[n] = scratch[n] + ambient_.factor * (winds[n] - scratch[n]);
+    }
     template <class Visit>
     void for_each_filled(const Visit& visit) const {
         outer_.for_each_filled(visit);
@@ -29,6 +38,7 @@ class AirOfNow {
   private:
     Cells& outer_;
     WindView view_;
+    Cells::ShownAmbient ambient_;
 };
 
 namespace {
@@ -81,14 +91,15 @@ OuterWind::OuterWind(const Box& box, Cells& outer) : box_(box), outer_(outer) {
         if (axis == 0) {
             points_.reserve(static_cast<std::size_t>(count));
             winds_.reserve(static_cast<std::size_t>(count));
+            winds_before_.reserve(static_cast<std::size_t>(count));
         }
     }
     brick_.reserve(most);
 }
 
 std::size_t OuterWind::memory_bytes() const {
-    std::size_t bytes =
-        brick_.capacity() * sizeof(glm::vec4) + points_.capacity() * sizeof(glm::dvec3) + winds_.capacity() * sizeof(glm::vec3);
+    std::size_t bytes = brick_.capacity() * sizeof(glm::vec4) + points_.capacity() * sizeof(glm::dvec3) +
+                        (winds_.capacity() + winds_before_.capacity()) * sizeof(glm::vec3);
     for (const Buffer<glm::vec4>* field : {&now_, &end_, &from_, &to_, &carried_, &traced_})
         bytes += field->bytes();
     for (const std::vector<Place>& places : places_)
@@ -145,6 +156,7 @@ void OuterWind::fill_brick(const AirOfNow& air) {
     brick_.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z));
     points_.resize(static_cast<std::size_t>(size.x));
     winds_.resize(points_.size());
+    winds_before_.resize(points_.size());
     const auto outer_cell = [&](int axis, int n) { return around_period(brick_low_[axis] + n, box.cells[axis]); };
     const auto ambient_of = [&](int j, int k) {
         const glm::dvec3 first = view.window().centre(outer_cell(0, 0), outer_cell(1, j), outer_cell(2, k));
@@ -154,7 +166,7 @@ void OuterWind::fill_brick(const AirOfNow& air) {
         }
         for (int i = 0; i < size.x; ++i)
             points_[static_cast<std::size_t>(i)] = view.window().centre(outer_cell(0, i), outer_cell(1, j), outer_cell(2, k));
-        ambient.velocity(points_, winds_);
+        air.ambient(points_, winds_, winds_before_);
     };
     std::size_t at = 0;
     for (int k = 0; k < size.z; ++k)

@@ -108,7 +108,7 @@ class OuterWind {
     std::vector<glm::vec4> brick_; ///< D and p of the outer cells around the box
     glm::ivec3 brick_low_{0}, brick_cells_{0};
     std::vector<glm::dvec3> points_; ///< scratch: a row of the brick
-    std::vector<glm::vec3> winds_;
+    std::vector<glm::vec3> winds_, winds_before_;
 };
 
 } // namespace windrow::cpu
