@@ -173,7 +173,7 @@ TEST_F(AnyWinds, AreThoseOfTheCpu) {
         worst.forces = std::max(worst.forces, off.forces);
         worst.loads = std::max(worst.loads, off.loads);
     }
-    EXPECT_GT(played, 2);
+    EXPECT_GT(4 * played, static_cast<int>(3 * count)) << "winds that no config allows";
     WINDROW_EXPECT_FIGURE("any_winds.cells", worst.cells, 1e-4);
     WINDROW_EXPECT_FIGURE("any_winds.queries", worst.queries, 1e-4);
     WINDROW_EXPECT_FIGURE("any_winds.forces", worst.forces, 2e-3);
