@@ -1,4 +1,4 @@
-// Winds made up by chance, one a seed: a box of any kind, with bodies, ground, plants and motors in it that rest or move, and what a
+// Random winds, one a seed: a box of any kind, with bodies, ground, plants and motors in it that rest or move, and what a
 // game does to them on the way. The scenario table has each feature alone; this has those that nobody thought of together.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Winds made up by chance (tests/any_wind.h) on a device against the CPU: after each step cells, queries, forces on bodies and loads on
+// Random winds (tests/any_wind.h) on a device against the CPU: after each step cells, queries, forces on bodies and loads on
 // plants; by steps or by frames of any length; and both saved and loaded in the middle.
 //
 // Bounds, over the fastest air (at least .3 m/s): 1e-4 of cells and queries, since sums of a solve are rounded otherwise; where two
@@ -69,7 +69,7 @@ class AnyWinds : public WindParity {
         }
     }
 
-    // A wind of this speed on a cell: forces that are less are not told from rounding.
+    // `least`: the force of the fastest air on a cell; smaller forces are compared with that, since they are rounding.
     template <class Id>
     static void compare_forces(const windrow::Wind& cpu, const Wind& device, const Id& id, double least, double& largest) {
         const auto on_cpu = cpu.force_on(id), on_device = device.force_on(id);
