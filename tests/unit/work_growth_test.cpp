@@ -1,5 +1,5 @@
-// Work without a bound: what is read takes at most 2.5 times as long where it is twice as large, in the family of each kind that takes
-// longest. What no algorithm makes cheap is rejected by a sentence.
+// Work without a bound: what is read takes at most 6.25 times as long where it is four times as large, in the family of each kind that
+// takes longest. What no algorithm makes cheap is rejected by a sentence.
 #include "fluid/core/message.h"
 #include "scene/height_files.h"
 #include "scene/obj_file.h"
@@ -29,28 +29,20 @@ double seconds(const std::function<void()>& work) {
     return least;
 }
 
-/// The first of 2 n and 4 n that takes more than 2.5 times as long as half of it; 0: none. work(n) returns what is timed.
-int grows_at(int n, const std::function<std::function<void()>(int)>& work) {
-    constexpr double k_most = 2.5, k_noise = 3e-3; // below a few milliseconds a clock shows noise
-    double before = seconds(work(n));
-    for (const int size : {2 * n, 4 * n}) {
-        const double now = seconds(work(size));
-        if (now > k_most * std::max(before, k_noise))
-            return size;
-        before = now;
-    }
-    return 0;
+/// Whether 4 n takes more than 6.25 times as long as n: 2.5 for each doubling, where a square takes 16. work(n) returns what is timed.
+bool grows(int n, const std::function<std::function<void()>(int)>& work) {
+    constexpr double k_most = 2.5 * 2.5, k_noise = 2e-3; // below a few milliseconds a clock shows noise
+    return seconds(work(4 * n)) > k_most * std::max(seconds(work(n)), k_noise);
 }
 
 /// A busy machine may break one measurement; what grows as the square breaks them all.
 void expect_even_growth(const char* name, int n, const std::function<std::function<void()>(int)>& work) {
     if (test::k_sanitized)
-        return (void)grows_at(n / 8, work);
-    int size = 0;
+        return (void)grows(n / 8, work);
     for (int attempt = 0; attempt < 4; ++attempt)
-        if (size = grows_at(n, work); size == 0)
+        if (!grows(n, work))
             return;
-    ADD_FAILURE() << name << " of " << size << " takes more than 2.5 times as long as of half as many";
+    ADD_FAILURE() << name << " of " << 4 * n << " takes more than 6.25 times as long as of a quarter as many";
 }
 
 // --- Meshes ------------------------------------------------------------------------------------------------------------------

@@ -64,13 +64,14 @@ vec3 meadow_radiance(vec2 place, vec3 n, vec3 sun, float distance, float apart) 
 }
 
 void main() {
-    vec2 place = position.xz - frame.terrain.xy;
+    vec2 extent = frame.terrain.z * vec2(frame.terrain_size.xy - 1);
+    // At the edge a pixel's middle may lie beyond the ground, which only some of its samples see: the map is not filled there.
+    vec2 place = clamp(position.xz - frame.terrain.xy, vec2(0.0), extent);
     float distance = length(position - frame.eye.xyz);
     vec3 n = normalize(normal);
     float apart = max(length(dFdx(position)), length(dFdy(position)));
 
     // Afar one looks across tips and sees no soil.
-    vec2 extent = frame.terrain.z * vec2(frame.terrain_size.xy - 1);
     float stands = windrow_grid_at(0, WindrowGrid(grown_corners, extent / vec2(grown_corners - 1)), place);
     float grown = stands * smoothstep(0.25, 1.0, distance / look.size.y);
     vec3 sun = frame.sunlight.rgb * sun_fraction(position, n);

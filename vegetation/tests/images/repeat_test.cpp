@@ -18,7 +18,7 @@ TEST_P(Repeat, IsTheSameToTheByte) {
     const auto second = test::last_picture(*scene, settings);
     ASSERT_TRUE(first) << first.error();
     ASSERT_TRUE(second) << second.error();
-    EXPECT_EQ(first->values, second->values);
+    EXPECT_TRUE(first->values == second->values) << "most " << test::apart(*first, *second).max;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::Values("steady_trail", "gusts_fan", "wind_slice", "far_hills", "grove"),
@@ -36,7 +36,9 @@ TEST_P(Resume, GivesTheFrameOfAnUnbrokenFilm) {
     const auto resumed = test::last_picture(*scene, settings, 3);
     ASSERT_TRUE(all) << all.error();
     ASSERT_TRUE(resumed) << resumed.error();
-    EXPECT_EQ(all->values, resumed->values) << "what a drawable keeps from frame to frame must go on in SceneRenderer::swing";
+    EXPECT_TRUE(all->values == resumed->values)
+        << "most " << test::apart(*all, *resumed).max
+        << ": what a drawable keeps from frame to frame must go on in SceneRenderer::swing";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Resume, testing::Values("steady_trail", "grove", "fur_ball"),
