@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -51,13 +50,6 @@ std::string& remembered(std::size_t index) {
 std::string_view accepted_input(std::uint32_t random) {
     const std::size_t count = remembered_count < k_remembered ? remembered_count : k_remembered;
     return count == 0 ? std::string_view() : remembered(random % count);
-}
-
-void require(bool kept, const char* promise) {
-    if (kept)
-        return;
-    std::fprintf(stderr, "broken promise: %s\n", promise);
-    std::abort();
 }
 
 } // namespace windrow::fuzz

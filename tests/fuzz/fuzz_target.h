@@ -1,10 +1,12 @@
 // A fuzz target: one parser, read from bytes that come from anywhere.
 //
-// A target defines read_input; fuzz_target.cpp hands libFuzzer's inputs to it and counts them, replay.cpp hands it the files of
-// seeds/<parser> and findings/<parser>.
+// A target defines read_input; fuzz_target.cpp hands libFuzzer's inputs to it and counts them, replay.cpp hands that of each parser the
+// files of seeds/<parser> and findings/<parser>.
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -28,6 +30,11 @@ enum class ReadOutcome {
 [[nodiscard]] std::string_view accepted_input(std::uint32_t random);
 
 /// Stops the process with a sentence: an accepted input broke a promise of the library.
-void require(bool kept, const char* promise);
+inline void require(bool kept, const char* promise) {
+    if (kept)
+        return;
+    std::fprintf(stderr, "broken promise: %s\n", promise);
+    std::abort();
+}
 
 } // namespace windrow::fuzz
