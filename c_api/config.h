@@ -156,7 +156,7 @@ typedef int32_t windrow_scheme;
 enum { WINDROW_SCHEME_SECOND_ORDER = 0, WINDROW_SCHEME_STABLE_FLUIDS = 1 };
 /* Made by ./dev schema from Interpolation. */
 typedef int32_t windrow_interpolation;
-enum { WINDROW_INTERPOLATION_LINEAR = 0, WINDROW_INTERPOLATION_CUBIC = 1 };
+enum { WINDROW_INTERPOLATION_LINEAR = 0, WINDROW_INTERPOLATION_CUBIC = 1, WINDROW_INTERPOLATION_CUBIC_32 = 2 };
 /* Made by ./dev schema from Simd. */
 typedef int32_t windrow_simd;
 enum { WINDROW_SIMD_BEST = 0, WINDROW_SIMD_BASELINE = 1, WINDROW_SIMD_AVX2 = 2, WINDROW_SIMD_AVX512 = 3 };
@@ -237,7 +237,7 @@ typedef struct windrow_config {
        classic split, first order. */
     windrow_scheme scheme;
     /* Default WINDROW_INTERPOLATION_CUBIC. Interpolation of the advection. linear: never overshoots, smooths. cubic: third
-       order. */
+       order. cubic_32: reads 32 of its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512. */
     windrow_interpolation interpolation;
     /* A number above 0, at most 1e6, default 2. Cells that the air may cross in one sub-step. Above 2 the backtrace may miss
        thin motors; large values are for tests of the raw step. */

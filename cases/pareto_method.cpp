@@ -37,7 +37,7 @@ const char* name_of(Scheme scheme) {
 }
 
 const char* name_of(Interpolation advection) {
-    return advection == Interpolation::cubic ? "cubic" : "linear";
+    return k_words<Interpolation>[static_cast<std::size_t>(advection)];
 }
 
 const char* name_of(Pressure pressure) {

@@ -74,11 +74,24 @@ Value interpolate(Interpolation interpolation, glm::dvec3 position, Read&& read)
                     w *= (t[axis] - (first + other)) / static_cast<double>(node - other);
             weights[axis][node] = w;
         }
+    const auto weight = [&](int i, int j, int k) {
+        if (interpolation != Interpolation::cubic_32)
+            return weights[0][i] * weights[1][j] * weights[2][k];
+        const int at[] = {i, j, k};
+        double linear_part[3], added[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            linear_part[axis] = at[axis] == 1 ? 1.0 - t[axis] : at[axis] == 2 ? t[axis] : 0.0;
+            added[axis] = weights[axis][at[axis]] - linear_part[axis];
+        }
+        const auto& [x, y, z] = linear_part;
+        return x * y * z + added[0] * y * z + x * added[1] * z + x * y * added[2];
+    };
     Value sum{};
     for (int k = 0; k < nodes; ++k)
         for (int j = 0; j < nodes; ++j)
             for (int i = 0; i < nodes; ++i)
-                sum += weights[0][i] * weights[1][j] * weights[2][k] * read(glm::ivec3(low) + first + glm::ivec3(i, j, k));
+                if (const double w = weight(i, j, k); w != 0.0)
+                    sum += w * read(glm::ivec3(low) + first + glm::ivec3(i, j, k));
     return sum;
 }
 

@@ -81,10 +81,9 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
             legal.period[axis] = legal.inverse_period[axis] = 0.0f;
         }
     }
-    const auto advect_plane =
-        transport.interpolation == Interpolation::cubic ? state.kernels->advect_plane_cubic : state.kernels->advect_plane_linear;
+    const auto advect_plane = state.kernels->advect_plane[static_cast<std::size_t>(transport.interpolation)];
     state.parallel_for(state.box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_one_sided(task, false, transport.interpolation == Interpolation::cubic);
+    state.advect_one_sided(task, false, transport.interpolation != Interpolation::linear);
 }
 
 } // namespace windrow

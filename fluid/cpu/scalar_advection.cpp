@@ -47,10 +47,9 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
     task.result = result.data();
     task.cells_per_speed = transport.dt / box.cell_size;
     task.clamped = transport.clamped;
-    const auto advect_plane = transport.interpolation == Interpolation::cubic ? state.kernels->advect_scalar_plane_cubic
-                                                                              : state.kernels->advect_scalar_plane_linear;
+    const auto advect_plane = state.kernels->advect_scalar_plane[static_cast<std::size_t>(transport.interpolation)];
     state.parallel_for(box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_one_sided(task, true, transport.interpolation == Interpolation::cubic);
+    state.advect_one_sided(task, true, transport.interpolation != Interpolation::linear);
     return {};
 }
 

@@ -177,7 +177,8 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     block.torus = torus_;
     block.flags =
         bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
-        bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) | bit(config_.stages.advection, WINDROW_ADVECTS) |
+        bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
+        bit(config_.interpolation == Interpolation::cubic_32, WINDROW_CUBIC_32) | bit(config_.stages.advection, WINDROW_ADVECTS) |
         bit(config_.stages.projection, WINDROW_PROJECTS) | bit(step.relaxation_time > 0.0f, WINDROW_RELAXES) |
         bit(ambient.gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |

@@ -77,14 +77,56 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
+// Between two rows of cells along `along`, each interpolated along `across`.
+vec3 row_between(int at, int across, float t) { return lerp(read(at), read(at + across), t); }
+
+// What a cubic adds to a linear value. The weights sum to 0.
+vec3 added_by_cubic(vec3 before, vec3 here, vec3 after, vec3 beyond, vec3 w, float t) {
+    return w.x * (before - here) + (w.y - t) * (after - here) + w.z * (beyond - here);
+}
+
+// 32 of those cells: LLL + BLL + LBL + LLB (fluid/cpu/kernels/advect.inl, Cubic32).
+vec3 sample_cubic_32(int at, vec3 t, ivec3 s) {
+    const vec3 wx = windrow_cubic_weights(t.x), wy = windrow_cubic_weights(t.y), wz = windrow_cubic_weights(t.z);
+    vec3 inner[4];
+    for (int i = 0; i < 4; ++i) {
+        const int from = at + i - 1;
+        inner[i] = lerp(row_between(from, s.y, t.y), row_between(from + s.z, s.y, t.y), t.z);
+    }
+    vec3 ends[2];
+    for (int i = 0; i < 2; ++i) {
+        const int from = at + i;
+        ends[i] = added_by_cubic(row_between(from - s.y, s.z, t.z), row_between(from, s.z, t.z),
+                                 row_between(from + s.y, s.z, t.z), row_between(from + 2 * s.y, s.z, t.z), wy, t.y) +
+                  added_by_cubic(row_between(from - s.z, s.y, t.y), row_between(from, s.y, t.y),
+                                 row_between(from + s.z, s.y, t.y), row_between(from + 2 * s.z, s.y, t.y), wz, t.z);
+    }
+    return sum_nodes(inner[0], inner[1], inner[2], inner[3], wx) + lerp(ends[0], ends[1], t.x);
+}
+
 // The lee of plants, which is carried as the velocity is.
 float sample_lee(int at, vec3 t, ivec3 s) {
     const bool linear = is_on(WINDROW_LINEAR);
     const vec3 wx = windrow_cubic_weights(t.x), wy = windrow_cubic_weights(t.y), wz = windrow_cubic_weights(t.z);
-    const vec4 x = linear ? vec4(0.0f, 1.0f - t.x, t.x, 0.0f) : vec4(wx.x, 1.0f - wx.x - wx.y - wx.z, wx.y, wx.z);
-    const vec4 y = linear ? vec4(0.0f, 1.0f - t.y, t.y, 0.0f) : vec4(wy.x, 1.0f - wy.x - wy.y - wy.z, wy.y, wy.z);
-    const vec4 z = linear ? vec4(0.0f, 1.0f - t.z, t.z, 0.0f) : vec4(wz.x, 1.0f - wz.x - wz.y - wz.z, wz.y, wz.z);
+    const vec4 lx = vec4(0.0f, 1.0f - t.x, t.x, 0.0f), ly = vec4(0.0f, 1.0f - t.y, t.y, 0.0f),
+               lz = vec4(0.0f, 1.0f - t.z, t.z, 0.0f);
+    vec4 x = lx, y = ly, z = lz;
+    if (!linear) {
+        x = vec4(wx.x, 1.0f - wx.x - wx.y - wx.z, wx.y, wx.z);
+        y = vec4(wy.x, 1.0f - wy.x - wy.y - wy.z, wy.y, wy.z);
+        z = vec4(wz.x, 1.0f - wz.x - wz.y - wz.z, wz.y, wz.z);
+    }
     float sum = 0.0f;
+    if (is_on(WINDROW_CUBIC_32)) {
+        for (int k = 0; k < 4; ++k)
+            for (int j = 0; j < 4; ++j)
+                for (int i = 0; i < 4; ++i) {
+                    const float w = x[i] * ly[j] * lz[k] + lx[i] * ((y[j] - ly[j]) * lz[k] + ly[j] * (z[k] - lz[k]));
+                    if (w != 0.0f)
+                        sum += w * padded[at + (i - 1) * s.x + (j - 1) * s.y + (k - 1) * s.z].w;
+                }
+        return sum;
+    }
     for (int k = linear ? 1 : 0; k < (linear ? 3 : 4); ++k)
         for (int j = linear ? 1 : 0; j < (linear ? 3 : 4); ++j)
             for (int i = linear ? 1 : 0; i < (linear ? 3 : 4); ++i)
@@ -190,7 +232,9 @@ void main() {
         const vec3 traced = sample_linear(traces + from, t, stride);
         const vec3 displacement = -0.5f * cells_per_speed * (u + traced);
         from = locate(cell, displacement, stride, true, t);
-        result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
+        result = is_on(WINDROW_LINEAR)     ? sample_linear(from, t, stride)
+                 : is_on(WINDROW_CUBIC_32) ? sample_cubic_32(from, t, stride)
+                                           : sample_cubic(from, t, stride);
         if (has_lee())
             lee = sample_lee(from, t, stride);
         if (is_on(WINDROW_GUSTS))

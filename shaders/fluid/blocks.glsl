@@ -10,9 +10,10 @@
 #define WINDROW_HALO 5
 
 // Bits of WindrowStep.flags.
-#define WINDROW_FRESH 1         // no history yet: the first sub-step is rehearsed
-#define WINDROW_STABLE_FLUIDS 2 // the classic split (and all that does not advect), else second order
-#define WINDROW_LINEAR 4        // trilinear, else cubic
+#define WINDROW_FRESH 1            // no history yet: the first sub-step is rehearsed
+#define WINDROW_STABLE_FLUIDS 2    // the classic split (and all that does not advect), else second order
+#define WINDROW_LINEAR 4           // trilinear, else cubic
+#define WINDROW_CUBIC_32 134217728 // cubic on 32 cells
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
 #define WINDROW_RELAXES 32

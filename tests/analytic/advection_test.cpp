@@ -47,7 +47,7 @@ Field uniform_wind(const Box& box, glm::vec3 wind) {
 
 // sum_j w_j(a) exp(-i j theta) after whole cells; `cells` is how far the air moved.
 std::complex<double> mode_factor(Interpolation interpolation, double cells, double theta) {
-    if (interpolation == Interpolation::cubic)
+    if (interpolation != Interpolation::linear) // along an axis
         return cases::cubic_factor(cells, theta);
     // The departure point lies between the cells -whole - 1 and -whole; t is its distance from the first.
     const double low = std::floor(-cells), t = -cells - low;
@@ -324,7 +324,7 @@ TEST(Advection, NoWaveOfAnyDirectionGrows) {
     Workspace work = workspace(box);
     std::vector<float> one(box.cell_count(), 0.0f);
     one[static_cast<std::size_t>((5 * 10 + 5) * 10 + 5)] = 1.0f;
-    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic})
+    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic, Interpolation::cubic_32})
         for (const CarriedForm form : {CarriedForm::vector_x, CarriedForm::scalar}) {
             double largest = 0.0;
             each_shift([&](glm::vec3 shift) {
@@ -337,7 +337,7 @@ TEST(Advection, NoWaveOfAnyDirectionGrows) {
                 largest = std::max(largest, weights.largest_factor());
             });
             expect_at_most(std::string("advection.largest_factor.") +
-                               (interpolation == Interpolation::cubic ? "cubic" : "linear") +
+                               k_words<Interpolation>[static_cast<std::size_t>(interpolation)] +
                                (form == CarriedForm::scalar ? "_scalar" : ""),
                            largest, 1.0 + 1e-5);
         }

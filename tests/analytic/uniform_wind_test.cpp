@@ -53,7 +53,7 @@ TEST_P(UniformWindStays, ToTheBit) {
     std::int64_t changed = 0;
     for (const glm::ivec3 cells : {glm::ivec3(32, 16, 32), glm::ivec3(17, 9, 23)})
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
-            for (const Interpolation interpolation : {Interpolation::cubic, Interpolation::linear})
+            for (const Interpolation interpolation : {Interpolation::cubic, Interpolation::linear, Interpolation::cubic_32})
                 changed += changed_cells(GetParam(), cells, scheme, interpolation, 1.5e-5f);
     expect_at_most(std::string("uniform.changed_cells.") + GetParam().name, static_cast<double>(changed), 0);
 }

@@ -153,6 +153,7 @@ std::vector<test::NamedConfig> settings() {
         {"slip", closed(BoundaryKind::free_slip)},
         {"mixed", mixed},
         {"linear", with([](Config& c) { c.interpolation = Interpolation::linear; })},
+        {"cubic_32", with([](Config& c) { c.interpolation = Interpolation::cubic_32; })},
         {"classic", with([](Config& c) { c.scheme = Scheme::stable_fluids; })},
         {"viscous", closed(BoundaryKind::no_slip, 1.0f)},
         {"owing", with([](Config& c) { c.viscosity = 1e-3f; })},

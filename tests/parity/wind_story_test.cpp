@@ -55,7 +55,9 @@ Config any_config(StoryChance& chance, bool periodic, bool sleeps) {
     config.viscosity = viscosities[chance.below(6)];
     config.relaxation_time = chance.one_in(4) ? 0.0f : chance.between(0.3f, 20.0f);
     config.scheme = chance.one_in(4) ? Scheme::stable_fluids : Scheme::second_order;
-    config.interpolation = chance.one_in(4) ? Interpolation::linear : Interpolation::cubic;
+    config.interpolation = chance.one_in(4)   ? Interpolation::linear
+                           : chance.one_in(4) ? Interpolation::cubic_32
+                                              : Interpolation::cubic;
     config.max_cfl = chance.one_in(3) ? 0.3f : 2.0f;
     return config;
 }
@@ -169,8 +171,8 @@ class WindStories : public WindParity {
         log << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity " << config.viscosity
             << ", relaxation " << *config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
             << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
-            << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
-            << ", in flight " << in_flight;
+            << (config.scheme == Scheme::stable_fluids) << ", "
+            << k_words<Interpolation>[static_cast<std::size_t>(config.interpolation)] << ", in flight " << in_flight;
         std::vector<TwoWinds::Ids> motors;
         bool ticks = chance.one_in(2);
         for (int n = 0; n < 40 && !HasFailure(); ++n) {

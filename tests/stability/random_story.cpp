@@ -280,7 +280,8 @@ Config any_config() {
     config.viscosity = pick(0, 2) == 0 ? 0.0f : single(spread(1e-5, 1e4));
     config.relaxation_time = pick(0, 1) == 0 ? 0.0f : single(spread(0.1, 100.0));
     config.scheme = pick(0, 3) == 3 ? Scheme::stable_fluids : Scheme::second_order;
-    config.interpolation = pick(0, 3) == 3 ? Interpolation::linear : Interpolation::cubic;
+    const int read = pick(0, 3);
+    config.interpolation = read == 3 ? Interpolation::linear : read == 2 ? Interpolation::cubic_32 : Interpolation::cubic;
     return config;
 }
 

@@ -81,6 +81,7 @@ TEST(SnapshotFields, EachOfTheConfigCounts) {
         [](Config& c) { c.sleep_speed = 0.5f; },
         [](Config& c) { c.scheme = Scheme::stable_fluids; },
         [](Config& c) { c.interpolation = Interpolation::linear; },
+        [](Config& c) { c.interpolation = Interpolation::cubic_32; },
         [](Config& c) { c.max_cfl = 1.0f; },
         [](Config& c) { c.max_substeps = 2; },
         [](Config& c) { c.stages.sources = false; },

@@ -128,6 +128,7 @@ std::vector<NamedConfig> cases() {
             {"one_pass", with(base, [](Config& c) { c.viscosity = 1.0f; })},
             {"implicit", with(base, [](Config& c) { c.viscosity = 40.0f; })},
             {"linear", with(base, [](Config& c) { c.interpolation = Interpolation::linear; })},
+            {"cubic_32", with(base, [](Config& c) { c.interpolation = Interpolation::cubic_32; })},
             {"floor", with(base, [](Config& c) { c.boundaries = Boundaries::open_over_floor(); })},
             {"mixed", with(base,
                            [](Config& c) {

@@ -15,7 +15,7 @@ from ._values import Floats, Vec3, _choice, _numbers, aligned, field, number, of
 from .settings import Boundaries, Config, DiffusionMethod, Interpolation, Obstacle
 from .wind import ThreadPool
 
-_INTERPOLATIONS = ("linear", "cubic")
+_INTERPOLATIONS = ("linear", "cubic", "cubic_32")
 _METHODS: tuple[DiffusionMethod, ...] = ("none", "one_pass", "implicit")
 _VECTORS = ctypes.POINTER(_c.Vec4)
 _FLOATS = ctypes.POINTER(ctypes.c_float)

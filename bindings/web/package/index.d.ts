@@ -5,7 +5,7 @@ export interface Id { slot: number; generation: number; owner: number }
 /** Fields of windrow_config (docs/scene_keys.md has units and ranges); what is left out keeps its default. */
 export interface Config {
     cells?: Vector; cell_size?: number; centre?: Vector; floor?: number; ambient?: Vector; viscosity?: number; relaxation_time?: number;
-    scheme?: "second_order" | "stable_fluids"; interpolation?: "linear" | "cubic"; max_cfl?: number; max_substeps?: number; ticks_hz?: number;
+    scheme?: "second_order" | "stable_fluids"; interpolation?: "linear" | "cubic" | "cubic_32"; max_cfl?: number; max_substeps?: number; ticks_hz?: number;
     boundaries?: Partial<Record<"x_low" | "x_high" | "y_low" | "y_high" | "z_low" | "z_high", {kind: "open" | "free_slip" | "no_slip" | "periodic"; wall_velocity?: Vector}>>;
     gusts?: {intensity?: number; length?: number; seed?: number};
     profile?: {roughness_length?: number; reference_height?: number};

@@ -11,7 +11,7 @@ namespace Windrow
     public enum Axes { YUpRight = 0, YUpLeft = 1, ZUpRight = 2, ZUpLeft = 3 }
     public enum BoundaryKind { Open = 0, FreeSlip = 1, NoSlip = 2, Periodic = 3 }
     public enum Scheme { SecondOrder = 0, StableFluids = 1 }
-    public enum Interpolation { Linear = 0, Cubic = 1 }
+    public enum Interpolation { Linear = 0, Cubic = 1, Cubic32 = 2 }
     public enum Simd { Best = 0, Baseline = 1, Avx2 = 2, Avx512 = 3 }
     public enum DiffusionMethod { None = 0, OnePass = 1, Implicit = 2 }
     public enum Frame { Now = 0, Previous = 1 }

@@ -16,7 +16,7 @@ pub type BoundaryKind = i32; pub const BOUNDARY_OPEN: BoundaryKind = 0; pub cons
 pub const BOUNDARY_NO_SLIP: BoundaryKind = 2; pub const BOUNDARY_PERIODIC: BoundaryKind = 3;
 pub type Scheme = i32; pub const SCHEME_SECOND_ORDER: Scheme = 0; pub const SCHEME_STABLE_FLUIDS: Scheme = 1;
 pub type Interpolation = i32; pub const INTERPOLATION_LINEAR: Interpolation = 0;
-pub const INTERPOLATION_CUBIC: Interpolation = 1;
+pub const INTERPOLATION_CUBIC: Interpolation = 1; pub const INTERPOLATION_CUBIC_32: Interpolation = 2;
 pub type Simd = i32; pub const SIMD_BEST: Simd = 0; pub const SIMD_BASELINE: Simd = 1; pub const SIMD_AVX2: Simd = 2;
 pub const SIMD_AVX512: Simd = 3;
 pub const FOLLOW_DEFAULT: i32 = -1; pub const FOLLOW_X: i32 = 1; pub const FOLLOW_Y: i32 = 2;

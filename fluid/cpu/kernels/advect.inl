@@ -158,6 +158,53 @@ struct Cubic {
     }
 };
 
+// 32 of those cells: LLL + BLL + LBL + LLB (Interpolation::cubic_32).
+struct Cubic32 {
+    struct Line {
+        Block inner; ///< interpolated linearly along y and z: nodes -1, 0, 1, 2 of x
+        Pair added;  ///< what the cubic adds along y and along z: nodes 0, 1 of x
+    };
+    static constexpr bool k_cubic = true;
+
+    struct Weights {
+        Cubic::Weights cubic;
+        const float *x, *y, *z;
+        Weights(const Points& points, int count)
+            : cubic(points, count), x(points.fraction[0]), y(points.fraction[1]), z(points.fraction[2]) {}
+    };
+
+    // What the cubic adds to the linear value between two of four rows. Their weights sum to 0.
+    static Pair added(Pair before, Pair here, Pair after, Pair beyond, const Weights& w, int axis, float t, int n, Pair sum) {
+        sum = multiply_add(before - here, w.cubic.before[axis][n], sum);
+        sum = multiply_add(after - here, w.cubic.after[axis][n] - t, sum);
+        return multiply_add(beyond - here, w.cubic.beyond[axis][n], sum);
+    }
+
+    static Line sample_line(const float* at, const PaddedStrides& strides, const Weights& w, int n) {
+        const std::ptrdiff_t row = 4 * strides.row, plane = 4 * strides.plane;
+        const float y = w.y[n], z = w.z[n];
+        const float* const from = at - 4;
+        const Block near = lerp(load_block(from), load_block(from + row), y);
+        const Block over = lerp(load_block(from + plane), load_block(from + plane + row), y);
+        const auto along_y = [&](std::ptrdiff_t k) { return lerp(load_pair(at + k), load_pair(at + k + row), y); };
+        const auto along_z = [&](std::ptrdiff_t j) { return lerp(load_pair(at + j), load_pair(at + j + plane), z); };
+        const Pair sum = added(along_z(-row), along_z(0), along_z(row), along_z(2 * row), w, 1, y, n, Pair{});
+        return {lerp(near, over, z), added(along_y(-plane), middle(near), middle(over), along_y(2 * plane), w, 2, z, n, sum)};
+    }
+
+    static Native sample_x(const Line (&lines)[k_native_cells], const Weights& w, int n) {
+        Block inner[k_native_cells];
+        Pair more[k_native_cells];
+#pragma GCC unroll 4
+        for (int cell = 0; cell < k_native_cells; ++cell) {
+            inner[cell] = lines[cell].inner;
+            more[cell] = lines[cell].added;
+        }
+        const Ends ends = transpose(more);
+        return Cubic::sample_x(inner, w.cubic, n) + multiply_add(spread(w.x + n), ends.after - ends.here, ends.here);
+    }
+};
+
 // Samples at as many cells as a register holds, from cell n of the run: their lines are adjacent, so that one operation does x.
 template <class Interpolant>
 inline Native sample(const float* field, const Points& points, const PaddedStrides& strides,

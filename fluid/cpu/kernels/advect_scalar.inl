@@ -31,6 +31,23 @@ inline float sample_scalar(const float* at, const PaddedStrides& s, const Cubic:
     return cubic_line(planes[0], planes[1], planes[2], planes[3], w, 2, n);
 }
 
+inline float sample_scalar(const float* at, const PaddedStrides& s, const Cubic32::Weights& w, int n) {
+    const float x = w.x[n], y = w.y[n], z = w.z[n];
+    const auto linear = [](float t, const auto& value) { return scalar_lerp(value(0), value(1), t); };
+    const auto added = [&](int axis, float t, const auto& value) {
+        const float here = value(0);
+        float sum = (value(-1) - here) * w.cubic.before[axis][n];
+        sum = multiply_add(value(1) - here, w.cubic.after[axis][n] - t, sum);
+        return multiply_add(value(2) - here, w.cubic.beyond[axis][n], sum);
+    };
+    const auto cell = [&](int i, int j, int k) { return at[k * s.plane + j * s.row + i]; };
+    const auto along_x = [&](int j, int k) { return linear(x, [&](int i) { return cell(i, j, k); }); };
+    const auto plane = [&](int k) { return linear(y, [&](int j) { return along_x(j, k); }); };
+    const auto column = [&](int j) { return linear(z, [&](int k) { return along_x(j, k); }); };
+    const auto inner = [&](int i) { return linear(z, [&](int k) { return linear(y, [&](int j) { return cell(i, j, k); }); }); };
+    return linear(z, plane) + (added(0, x, inner) + (added(1, y, column) + added(2, z, plane)));
+}
+
 // `value` clamped to the eight cells around the departure point.
 inline float clamp_to_corners(float value, const float* at, const PaddedStrides& s) {
     float least = at[0], most = at[0];

@@ -264,10 +264,8 @@ struct PointPlace {
 struct Kernels {
     const char* name;
     void (*pad_plane)(const PadTask&, int padded_plane);
-    void (*advect_plane_linear)(const AdvectTask&, int plane);
-    void (*advect_plane_cubic)(const AdvectTask&, int plane);
-    void (*advect_scalar_plane_linear)(const AdvectTask&, int plane);
-    void (*advect_scalar_plane_cubic)(const AdvectTask&, int plane);
+    void (*advect_plane[3])(const AdvectTask&, int plane);        ///< by Interpolation
+    void (*advect_scalar_plane[3])(const AdvectTask&, int plane); ///< by Interpolation
     void (*divergence_plane)(const DivergenceTask&, int plane);
     /// Sum over some rows of (divergence - wanted)^2; `wanted` one float a cell, null for 0. task.result is not touched.
     double (*divergence_squares)(const DivergenceTask&, const float* wanted, int plane, int first_row, int last_row);

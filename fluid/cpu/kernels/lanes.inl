@@ -109,10 +109,10 @@ typedef float PairUnaligned __attribute__((vector_size(32), aligned(4), may_alia
 inline Pair load_pair(const float* p) {
     return *reinterpret_cast<const PairUnaligned*>(p);
 }
-inline Pair lerp(Pair a, Pair b, float t) {
-    const Pair difference = b - a;
+// a * weight + c
+inline Pair multiply_add(Pair a, float weight, Pair c) {
     return reinterpret_cast<Pair>(
-        _mm256_fmadd_ps(_mm256_set1_ps(t), reinterpret_cast<__m256>(difference), reinterpret_cast<__m256>(a)));
+        _mm256_fmadd_ps(reinterpret_cast<__m256>(a), _mm256_set1_ps(weight), reinterpret_cast<__m256>(c)));
 }
 #else
 struct Pair {
@@ -121,10 +121,16 @@ struct Pair {
 inline Pair load_pair(const float* p) {
     return {load_cell(p), load_cell(p + 4)};
 }
-inline Pair lerp(Pair a, Pair b, float t) {
-    return {lerp(a.low, b.low, t), lerp(a.high, b.high, t)};
+inline Pair operator-(Pair a, Pair b) {
+    return {a.low - b.low, a.high - b.high};
+}
+inline Pair multiply_add(Pair a, float weight, Pair c) {
+    return {multiply_add(a.low, splat(weight), c.low), multiply_add(a.high, splat(weight), c.high)};
 }
 #endif
+inline Pair lerp(Pair a, Pair b, float t) {
+    return multiply_add(b - a, t, a);
+}
 
 struct Block {
     Native part[k_parts];
@@ -138,6 +144,16 @@ inline Block load_block(const float* p) {
 inline void store_block(float* p, const Block& block) {
     for (int n = 0; n < k_parts; ++n)
         store_native(p + n * k_native_lanes, block.part[n]);
+}
+// The two cells in its middle.
+inline Pair middle(const Block& block) {
+#if defined(__AVX512F__)
+    return __builtin_shufflevector(block.part[0], block.part[0], 4, 5, 6, 7, 8, 9, 10, 11);
+#elif defined(__AVX__)
+    return __builtin_shufflevector(block.part[0], block.part[1], 4, 5, 6, 7, 8, 9, 10, 11);
+#else
+    return {block.part[1], block.part[2]};
+#endif
 }
 inline Block operator+(Block a, const Block& b) {
     for (int n = 0; n < k_parts; ++n)
@@ -159,6 +175,9 @@ inline Block multiply_add(const Block& a, float weight, Block c) {
     for (int n = 0; n < k_parts; ++n)
         c.part[n] = multiply_add(a.part[n], weight - Native{}, c.part[n]);
     return c;
+}
+inline Block lerp(const Block& a, const Block& b, float t) {
+    return multiply_add(b - a, t, a);
 }
 // c - a * b, lane by lane
 inline Block subtract_product(const Block& a, const Block& b, Block c) {

@@ -35,10 +35,8 @@ namespace {
 const Kernels k_kernels = {
     WINDROW_LEVEL_NAME,
     pad_plane,
-    advect_plane<Linear>,
-    advect_plane<Cubic>,
-    advect_scalar_plane<Linear>,
-    advect_scalar_plane<Cubic>,
+    {advect_plane<Linear>, advect_plane<Cubic>, advect_plane<Cubic32>},
+    {advect_scalar_plane<Linear>, advect_scalar_plane<Cubic>, advect_scalar_plane<Cubic32>},
     divergence_plane,
     divergence_squares,
     gradient_plane,
