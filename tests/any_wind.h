@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -58,9 +60,89 @@ class Chance {
     return shape;
 }
 
+/// Where a scene is played: as it is, mirrored in x or z, turned about y by quarters, or moved a little.
+class Frame {
+  public:
+    [[nodiscard]] static Frame mirrored(int axis) {
+        Frame frame;
+        frame.to_[axis][axis] = -1.0;
+        return frame;
+    }
+    [[nodiscard]] static Frame turned(int quarters) {
+        Frame frame;
+        for (int n = 0; n < quarters; ++n)
+            frame.to_ = glm::dmat3({0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}) * frame.to_;
+        return frame;
+    }
+    [[nodiscard]] static Frame moved(glm::dvec3 by) {
+        Frame frame;
+        frame.by_ = by;
+        return frame;
+    }
+    [[nodiscard]] bool is_mirror() const { return glm::determinant(to_) < 0.0; }
+    [[nodiscard]] glm::dvec3 place(glm::dvec3 at) const { return to_ * at + by_; }
+    [[nodiscard]] glm::vec3 way(glm::vec3 along) const { return glm::vec3(to_ * glm::dvec3(along)); }
+    [[nodiscard]] glm::ivec3 cells(glm::ivec3 count) const { return glm::ivec3(glm::round(glm::abs(to_ * glm::dvec3(count)))); }
+    /// A body is mirrored in its own x too, so that it turns and is not turned inside out.
+    [[nodiscard]] glm::quat orientation(glm::quat of) const {
+        glm::dmat3 own(1.0);
+        own[0][0] = glm::determinant(to_);
+        return glm::normalize(glm::quat_cast(glm::mat3(to_ * glm::mat3_cast(glm::dquat(of)) * own)));
+    }
+    [[nodiscard]] Obstacle obstacle(Obstacle body) const {
+        body.position = place(body.position);
+        body.orientation = orientation(body.orientation);
+        if (auto* const rod = std::get_if<Capsule>(&body.shape); rod != nullptr && is_mirror())
+            rod->half_axis.x = -rod->half_axis.x;
+        return body;
+    }
+    /// Turbulence is left out: its eddies are where they are in the world.
+    [[nodiscard]] Motor motor(Motor motor) const {
+        std::visit(
+            [&](auto& kind) {
+                kind.position = place(kind.position);
+                if constexpr (requires { kind.turbulence; })
+                    kind.turbulence.intensity = 0.0f;
+                if constexpr (requires { kind.direction; })
+                    kind.direction = way(kind.direction);
+                if constexpr (requires { kind.axis; })
+                    kind.axis = static_cast<float>(glm::determinant(to_)) * way(kind.axis);
+            },
+            motor);
+        return motor;
+    }
+    [[nodiscard]] DragDeposit deposit(DragDeposit plant) const {
+        if (auto* const one = std::get_if<PlantDrag>(&plant))
+            one->position = place(one->position);
+        if (auto* const belt = std::get_if<BeltDrag>(&plant)) {
+            belt->start = place(belt->start);
+            belt->end = place(belt->end);
+        }
+        return plant;
+    }
+    [[nodiscard]] Boundaries boundaries(const Boundaries& of) const {
+        Boundaries to;
+        Boundary* const ends[] = {&to.x_low, &to.x_high, &to.y_low, &to.y_high, &to.z_low, &to.z_high};
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int end : {0, 1}) {
+                glm::vec3 out(0.0f);
+                out[axis] = end == 0 ? -1.0f : 1.0f;
+                out = way(out);
+                for (int there = 0; there < 3; ++there)
+                    if (std::abs(out[there]) > 0.5f)
+                        *ends[2 * there + (out[there] > 0.0f ? 1 : 0)] = of.at(axis, end);
+            }
+        return to;
+    }
+
+  private:
+    glm::dmat3 to_{1.0};
+    glm::dvec3 by_{0.0}; ///< [m]
+};
+
 class AnyWind {
   public:
-    explicit AnyWind(std::uint32_t seed) : chance_(seed) {
+    explicit AnyWind(std::uint32_t seed, const std::optional<Frame>& frame = {}) : chance_(seed), frame_(frame) {
         name_ = std::to_string(seed);
         choose_box();
         choose_bodies();
@@ -71,15 +153,28 @@ class AnyWind {
     }
 
     /// What a test plays. It copies all that it needs.
-    [[nodiscard]] static Scenario scenario(std::uint32_t seed) {
-        const auto any = std::make_shared<const AnyWind>(seed);
+    [[nodiscard]] static Scenario scenario(std::uint32_t seed) { return played(std::make_shared<const AnyWind>(seed)); }
+    /// The same without what no frame has a like of: gusts, grounds, and a box that walks. The box has an even number of cells, and its
+    /// middle is that of the scene.
+    [[nodiscard]] static Scenario scenario(std::uint32_t seed, const Frame& frame) {
+        return played(std::make_shared<const AnyWind>(seed, frame));
+    }
+    /// Meshes and voxels are not made again as their mirror image.
+    [[nodiscard]] bool has_mirror_image() const {
+        return std::none_of(bodies_.begin(), bodies_.end(), [](const Body& body) {
+            const Shape& shape = body.obstacle.shape;
+            return std::holds_alternative<MeshShape>(shape) || std::holds_alternative<VoxelShape>(shape);
+        });
+    }
+
+  private:
+    [[nodiscard]] static Scenario played(const std::shared_ptr<const AnyWind>& any) {
         return {.name = any->name_,
-                .config = [any](Config& c) { c = any->config_; },
+                .config = [any](Config& c) { c = any->framed_config(); },
                 .begin = [any](WindControl& wind) { any->begin(wind); },
                 .step = [any](WindControl& wind, int n) { any->step(wind, n); }};
     }
 
-  private:
     struct Body {
         Obstacle obstacle;
         glm::dvec3 speed{0.0}; ///< [m/s]
@@ -262,16 +357,42 @@ class AnyWind {
         }
     }
 
+    [[nodiscard]] Config framed_config() const {
+        Config c = config_;
+        if (!frame_)
+            return c;
+        c.cells = frame_->cells((c.cells + glm::ivec3(1, 0, 1)) / glm::ivec3(2, 1, 2) * glm::ivec3(2, 1, 2));
+        c.ambient = frame_->way(c.ambient);
+        c.boundaries = frame_->boundaries(c.boundaries);
+        c.gusts.intensity = 0.0f;
+        return c;
+    }
+
+    // --- Calls, each in the frame ---------------------------------------------------------------------------------------------------
+
+    void add(WindControl& wind, const Obstacle& body) const {
+        scenario_parts::must(wind.obstacles().add(frame_ ? frame_->obstacle(body) : body));
+    }
+    void add(WindControl& wind, const DragDeposit& plant) const {
+        scenario_parts::must(wind.drag().add(frame_ ? frame_->deposit(plant) : plant));
+    }
+    void add_motor(WindControl& wind, const Motor& motor) const {
+        scenario_parts::must(wind.motors().add(frame_ ? frame_->motor(motor) : motor));
+    }
+    void set_ambient(WindControl& wind, glm::vec3 to) const {
+        scenario_parts::must(wind.set_ambient(frame_ ? frame_->way(to) : to));
+    }
+
     void begin(WindControl& wind) const {
-        using scenario_parts::must;
         for (const Body& body : bodies_)
-            must(wind.obstacles().add(body.obstacle));
+            add(wind, body.obstacle);
         for (const Obstacle& ground : ground_)
-            must(wind.obstacles().add(ground));
+            if (!frame_)
+                add(wind, ground);
         for (const DragDeposit& plant : plants_)
-            must(wind.drag().add(plant));
+            add(wind, plant);
         for (const Motor& motor : motors_)
-            must(wind.motors().add(motor));
+            add_motor(wind, motor);
     }
 
     void step(WindControl& wind, int n) const {
@@ -280,20 +401,24 @@ class AnyWind {
         for (std::uint32_t slot = 0; slot < bodies_.size(); ++slot) {
             const Body& body = bodies_[slot];
             const glm::quat turn = glm::angleAxis(static_cast<float>(body.spin * time), glm::vec3(0.0f, 1.0f, 0.0f));
+            const glm::dvec3 at = body.obstacle.position + body.speed * time;
+            const glm::quat orientation = turn * body.obstacle.orientation;
             if (body.moves())
-                must(wind.obstacles().move(obstacle_id(slot), body.obstacle.position + body.speed * time,
-                                           turn * body.obstacle.orientation));
+                must(wind.obstacles().move(obstacle_id(slot), frame_ ? frame_->place(at) : at,
+                                           frame_ ? frame_->orientation(orientation) : orientation));
         }
         for (std::uint32_t slot = 0; slot < motors_.size(); ++slot)
-            if (std::holds_alternative<WakeMotor>(motors_[slot]) && !(slot == 0 && removes_motor(n)))
-                must(wind.motors().move(motor_id(slot), position_of(motors_[slot]) + walk_ * time));
-        if (walk_ != glm::dvec3(0.0))
+            if (std::holds_alternative<WakeMotor>(motors_[slot]) && !(slot == 0 && removes_motor(n))) {
+                const glm::dvec3 at = position_of(motors_[slot]) + walk_ * time;
+                must(wind.motors().move(motor_id(slot), frame_ ? frame_->place(at) : at));
+            }
+        if (walk_ != glm::dvec3(0.0) && !frame_)
             must(wind.follow(walk_ * time));
         for (const Event& event : events_)
             if (event.step == n)
                 act(wind, event);
         if (turns_ && n % 5 == 4)
-            must(wind.set_ambient({config_.ambient.x + 0.3f * static_cast<float>(n), 0.0f, config_.ambient.z}));
+            set_ambient(wind, {config_.ambient.x + 0.3f * static_cast<float>(n), 0.0f, config_.ambient.z});
     }
 
     [[nodiscard]] bool removes_motor(int n) const {
@@ -308,36 +433,35 @@ class AnyWind {
         const auto h = static_cast<float>(h_);
         switch (event.act) {
         case Act::add_block:
-            must(wind.obstacles().add(
-                {.position = at,
-                 .orientation = glm::angleAxis(by.x, glm::vec3(0.0f, 1.0f, 0.0f)),
-                 .shape = Block{h * glm::vec3(0.3f + 3.0f * by.y * by.y, 1.0f, 0.2f + 2.0f * by.z * by.z)}}));
+            add(wind, Obstacle{.position = at,
+                               .orientation = glm::angleAxis(by.x, glm::vec3(0.0f, 1.0f, 0.0f)),
+                               .shape = Block{h * glm::vec3(0.3f + 3.0f * by.y * by.y, 1.0f, 0.2f + 2.0f * by.z * by.z)}});
             return;
         case Act::remove_body:
             if (!bodies_.empty() && !bodies_[0].moves())
                 (void)wind.obstacles().remove(obstacle_id(0)); // gone already, perhaps
             return;
         case Act::add_omni:
-            must(wind.motors().add(OmniMotor{.position = at, .speed = 6.0f * by.x}));
+            add_motor(wind, OmniMotor{.position = at, .speed = 6.0f * by.x});
             return;
         case Act::gusts:
-            if (!repeats_)
+            if (!repeats_ && !frame_)
                 must(wind.set_gusts(Gusts{.intensity = 0.4f * by.x * by.x}));
             return;
         case Act::ambient:
-            must(wind.set_ambient(by.z < 0.0f ? glm::vec3(0.0f) : glm::vec3(7.0f * by.x, 0.0f, 7.0f * by.y)));
+            set_ambient(wind, by.z < 0.0f ? glm::vec3(0.0f) : glm::vec3(7.0f * by.x, 0.0f, 7.0f * by.y));
             return;
         case Act::add_plant:
-            must(wind.drag().add(PlantDrag{.position = at - glm::dvec3(0.0, half_.y, 0.0),
-                                           .radius = h * (1.0f + 2.0f * by.x * by.x),
-                                           .height = 3.0f * h,
-                                           .area = 4.0f * h * h}));
+            add(wind, DragDeposit(PlantDrag{.position = at - glm::dvec3(0.0, half_.y, 0.0),
+                                            .radius = h * (1.0f + 2.0f * by.x * by.x),
+                                            .height = 3.0f * h,
+                                            .area = 4.0f * h * h}));
             return;
         case Act::reset:
             wind.reset();
             return;
         case Act::add_fan:
-            must(wind.motors().add(DirectionalMotor{.position = at, .direction = by, .region = Sphere{3.0f * h}}));
+            add_motor(wind, DirectionalMotor{.position = at, .direction = by, .region = Sphere{3.0f * h}});
             return;
         case Act::remove_motor:
             if (!motors_.empty())
@@ -348,12 +472,13 @@ class AnyWind {
                 (void)wind.drag().remove({.slot = 0, .generation = 1});
             return;
         case Act::blast:
-            must(wind.motors().add(PressureMotor{.position = at, .speed = 15.0f * by.x}));
+            add_motor(wind, PressureMotor{.position = at, .speed = 15.0f * by.x});
             return;
         }
     }
 
     Chance chance_;
+    std::optional<Frame> frame_;
     std::string name_;
     Config config_;
     double h_ = 1.0;       ///< [m] size of a cell

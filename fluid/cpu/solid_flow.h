@@ -65,7 +65,7 @@ class SolidFlow {
     /// `flux` is scratch, one a surface cell.
     [[nodiscard]] double correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
                                             std::span<float> flux) const;
-    /// What the potential does to a body, and to each; a face that several close counts for the first of them.
+    /// What the potential does to a body, and to each; a face that several close counts for the one that closes most.
     [[nodiscard]] PressurePush push_on(std::size_t body, const float* potential) const;
     void find_pushes(const float* potential, std::span<PressurePush> pushes) const;
 

@@ -58,6 +58,7 @@ void Solids::for_each_flagged(std::uint8_t flags, const Visit& visit) const {
 // All drawings' faces and inside cells in the box.
 void Solids::gather_faces() {
     unsorted_.clear();
+    largest_parts_.clear();
     at_open_ends_.clear();
     ends_.clear();
     filling_ = 0;
@@ -78,6 +79,12 @@ void Solids::gather_faces() {
             }
             ClosedFace& face = gathered(drawn.cell, next, drawn.axis, number);
             add_part(face, drawn.closed, drawn.wall);
+            const glm::vec2 part(drawn.closed, std::abs(drawn.wall));
+            glm::vec2& largest = largest_parts_[static_cast<std::size_t>(&face - unsorted_.data())];
+            if (part.x > largest.x + k_touch || (part.x > largest.x - k_touch && part.y < largest.y)) {
+                largest = part;
+                face.body = number;
+            }
         }
         std::uint32_t drawn = 0;
         std::size_t in_body = 0;
@@ -100,19 +107,21 @@ void Solids::gather_faces() {
             ++filling_;
     }
     std::sort(ends_.begin(), ends_.end(), [](const ClosedFace& a, const ClosedFace& b) {
-        return std::tuple(a.cell[0], a.axis, a.shut[1], a.body, a.closed) <
-               std::tuple(b.cell[0], b.axis, b.shut[1], b.body, b.closed);
+        return std::tuple(a.cell[0], a.axis, a.shut[1], -a.closed, std::abs(a.wall), a.body) <
+               std::tuple(b.cell[0], b.axis, b.shut[1], -b.closed, std::abs(b.wall), b.body);
     });
     close_at_open_ends();
 }
 
-// The face of two cells in the list of those gathered, open where it was not there.
+// The face of two cells in the list of those gathered, open where it was not there. It is of the body that closes most of it, else of
+// the one that is slower across it: in a mirrored scene the bodies have another order.
 ClosedFace& Solids::gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uint16_t body) {
     const std::uint32_t n = index(low);
     std::uint32_t& at = face_of_[3 * static_cast<std::size_t>(n) + static_cast<std::size_t>(axis)];
     if (at == k_none) {
         at = static_cast<std::uint32_t>(unsorted_.size());
         flags_[n] |= k_low;
+        largest_parts_.emplace_back(0.0f);
         unsorted_.push_back(
             {.cell = {n, index(high)},
              .potential = {potential_of(low), potential_of(high)},
@@ -454,22 +463,22 @@ void Solids::make_room_for_motion() {
     };
     detail::make_room(ends_, faces_.size() / 3); // of a body that comes to the boundary
     detail::make_room(at_open_ends_, faces_.size() / 3);
-    spare(faces_, unsorted_, ends_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_,
-          rooms_, room_ends_, sheltered_, sealed_, sealed_cells_, sealed_surface_, unreached_, nodes_, node_parts_, changes_,
-          thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
+    spare(faces_, unsorted_, largest_parts_, ends_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_,
+          part_sizes_, rooms_, room_ends_, sheltered_, sealed_, sealed_cells_, sealed_surface_, unreached_, nodes_, node_parts_,
+          changes_, thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, drawn_near_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     std::size_t sum = bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
                       bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) +
-                      bytes(unsorted_) + bytes(ends_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) +
-                      bytes(sheltered_) + bytes(sealed_) + bytes(sealed_cells_) + bytes(sealed_surface_) + bytes(unreached_) +
-                      bytes(part_of_) + bytes(nodes_) + bytes(node_parts_) + bytes(changes_) + bytes(runs_) + bytes(row_runs_) +
-                      bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) + bytes(distances_) +
-                      bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) + bytes(drawn_sides_) +
-                      bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) + bytes(corner_levels_) +
-                      bytes(owners_);
+                      bytes(unsorted_) + bytes(largest_parts_) + bytes(ends_) + bytes(at_open_ends_) + bytes(rooms_) +
+                      bytes(room_ends_) + bytes(sheltered_) + bytes(sealed_) + bytes(sealed_cells_) + bytes(sealed_surface_) +
+                      bytes(unreached_) + bytes(part_of_) + bytes(nodes_) + bytes(node_parts_) + bytes(changes_) + bytes(runs_) +
+                      bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
+                      bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
+                      bytes(drawn_sides_) + bytes(drawn_near_) + bytes(thicknesses_) + bytes(columns_) + bytes(levels_) +
+                      bytes(corner_levels_) + bytes(owners_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
             sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides) + bytes(drawing.near) +

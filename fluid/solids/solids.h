@@ -444,6 +444,7 @@ class Solids {
     detail::HostVector<std::uint32_t> unreached_;          ///< scratch of find_shut_cells
     detail::HostVector<Change> changes_;                   ///< scratch of find_changes: of the other air, then of the parts
     detail::HostVector<ClosedFace> unsorted_, ends_;       ///< gathered: faces between cells, and at open boundaries
+    detail::HostVector<glm::vec2> largest_parts_; ///< scratch of gather_faces: closed by one body, and its speed times that
     std::size_t first_end_ = 0;
     detail::HostVector<glm::ivec3> at_open_ends_;      ///< scratch: inside cells
     detail::HostVector<Drawing::Face> drawn_faces_;    ///< scratch of draw

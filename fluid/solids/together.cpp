@@ -26,15 +26,24 @@ float outside(const detail::Extent& box, glm::vec3 place) {
     return glm::length(glm::max(glm::max(box.low - place, place - box.high), 0.0f));
 }
 
-// An order of two bodies by where they are, and else by what they are: the same wherever the box is.
+// An order of two bodies that is the same wherever the box is, and in a scene that is mirrored in x or z or turned about y: by their
+// heights, by what they are and how fast, and last by where they are.
 bool other_precedes(const PlacedObstacle& own, const PlacedObstacle& other, glm::vec3 from, float touch) {
-    for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(from.y) > touch)
+        return from.y < 0.0f;
+    const auto in_no_direction = [](PlacedObstacle body) {
+        body.position = glm::vec3(0.0f);
+        body.axes = glm::mat3(1.0f);
+        body.velocity = {glm::length(body.velocity), 0.0f, 0.0f};
+        body.spin = {glm::length(body.spin), 0.0f, 0.0f};
+        return body;
+    };
+    const PlacedObstacle here = in_no_direction(own), there = in_no_direction(other);
+    if (detail::precedes(there, here) || detail::precedes(here, there))
+        return detail::precedes(there, here);
+    for (const int axis : {0, 2})
         if (std::abs(from[axis]) > touch)
             return from[axis] < 0.0f;
-    PlacedObstacle here = other;
-    here.position = own.position;
-    if (detail::precedes(here, own) || detail::precedes(own, here))
-        return detail::precedes(here, own);
     return other.slot < own.slot;
 }
 

@@ -19,7 +19,7 @@ Config windy(double gusts) {
     return config;
 }
 
-glm::quat turned(float degrees, glm::vec3 axis) {
+glm::quat turned_room(float degrees, glm::vec3 axis) {
     return glm::angleAxis(glm::radians(degrees), glm::normalize(axis));
 }
 
@@ -36,8 +36,8 @@ std::vector<ObstacleId> build_room(Wind& wind, glm::dvec3 middle, glm::quat orie
             Obstacle wall{.position = middle + glm::dvec3(orientation * away), .orientation = orientation, .shape = Block{half}};
             if (thickness == 0.0f) {
                 constexpr glm::vec3 k_up(0.0f, 1.0f, 0.0f), k_right(1.0f, 0.0f, 0.0f);
-                wall.orientation = axis == 0   ? orientation * turned(90.0f, k_up)
-                                   : axis == 1 ? orientation * turned(90.0f, k_right)
+                wall.orientation = axis == 0   ? orientation * turned_room(90.0f, k_up)
+                                   : axis == 1 ? orientation * turned_room(90.0f, k_right)
                                                : orientation;
                 wall.shape = Plate{glm::vec2(k_half)};
             }
@@ -91,7 +91,7 @@ void expect_still(const RoomCase& room, bool worked_on) {
     if (worked_on)
         config.pressure_solves = 8; // one leaves up to .01 of the wind
     Wind wind = made(config);
-    const glm::quat orientation = turned(room.degrees, {0.2f, 1.0f, 0.1f});
+    const glm::quat orientation = turned_room(room.degrees, {0.2f, 1.0f, 0.1f});
     build_room(wind, k_centre, orientation, room.thickness);
     if (worked_on) {
         EXPECT_TRUE(wind.motors().add(
@@ -122,11 +122,11 @@ TEST(Rooms, KeepTheAirThatADoorClosesIn) {
     Config config = windy(0.1);
     config.relaxation_time = 4.0f;
     Wind wind = made(config);
-    build_room(wind, k_centre, turned(180.0f, {0.0f, 1.0f, 0.0f}), 1.0f, false); // open to where the wind comes from
+    build_room(wind, k_centre, turned_room(180.0f, {0.0f, 1.0f, 0.0f}), 1.0f, false); // open to where the wind comes from
     const double dt = 1.0 / 30.0;
     for (int n = 0; n < 60; ++n)
         (void)wind.step(dt);
-    const auto inside = [&] { return speeds_of(wind, k_centre, turned(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f).inside; };
+    const auto inside = [&] { return speeds_of(wind, k_centre, turned_room(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f).inside; };
     const double open = inside();
     EXPECT_GT(open, 0.5);
     const auto door =
@@ -144,20 +144,20 @@ TEST(Rooms, KeepTheAirThatADoorClosesIn) {
 
 TEST(Rooms, BlowWhereAFanRunsInside) {
     Wind wind = made(windy(0.1));
-    build_room(wind, k_centre, turned(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f);
+    build_room(wind, k_centre, turned_room(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f);
     const auto fan = wind.motors().add(DirectionalMotor{
         .position = k_centre, .direction = {0.0f, 0.0f, 1.0f}, .region = Sphere{1.5f}, .law = Drive{.speed = 4.0f}});
     ASSERT_TRUE(fan) << fan.error();
     for (int n = 0; n < 60; ++n)
         (void)wind.step(1.0 / 30.0);
-    EXPECT_GT(speeds_of(wind, k_centre, turned(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f).inside, 0.5);
+    EXPECT_GT(speeds_of(wind, k_centre, turned_room(0.0f, {0.0f, 1.0f, 0.0f}), 1.0f).inside, 0.5);
 }
 
 // A box that moves finds a house that was never in it: its air is at rest, and stays so.
 TEST(Rooms, AreStillWhereTheyComeIntoTheBox) {
     Wind wind = made(windy(0.12));
     const glm::dvec3 house = k_centre + glm::dvec3(30.0, 0.3, 2.4);
-    const glm::quat orientation = turned(20.0f, {0.0f, 1.0f, 0.0f});
+    const glm::quat orientation = turned_room(20.0f, {0.0f, 1.0f, 0.0f});
     build_room(wind, house, orientation, 1.0f);
     for (int n = 0; n < 240; ++n) {
         ASSERT_TRUE(wind.follow(k_centre + glm::dvec3(std::min(0.2 * n, 30.0), 0.0, 0.0)));
@@ -171,7 +171,7 @@ TEST(Rooms, AreStillWhereTheyComeIntoTheBox) {
 // With its history: the copy of a wind goes on with the same bits.
 TEST(Rooms, GoOnWithTheSameBitsWhenLoaded) {
     Wind wind = made(windy(0.12));
-    build_room(wind, k_centre + glm::dvec3(8.0, 0.0, 0.0), turned(12.0f, {0.0f, 1.0f, 0.0f}), 0.0f);
+    build_room(wind, k_centre + glm::dvec3(8.0, 0.0, 0.0), turned_room(12.0f, {0.0f, 1.0f, 0.0f}), 0.0f);
     const auto walk = [](Wind& walking, int first) {
         for (int n = first; n < first + 20; ++n) {
             ASSERT_TRUE(walking.follow(k_centre + glm::dvec3(0.3 * n, 0.0, 0.1 * n)));
