@@ -169,9 +169,10 @@ struct Config {
             Setting("scheme", &Config::scheme,
                     "Time scheme. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
                     "order."),
-            Setting("interpolation", &Config::interpolation,
-                    "Interpolation of the advection. linear: never overshoots, smooths. cubic: third order. cubic_32: reads 32 of "
-                    "its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512."),
+            Setting(
+                "interpolation", &Config::interpolation,
+                "Interpolation of the advection. linear: never overshoots, smooths. cubic: third order. cubic_32: reads 32 of "
+                "its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512."),
             Setting("max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
                     "Cells that the air may cross in one sub-step. Above 2 the backtrace may miss thin motors; large values are "
                     "for tests "
