@@ -19,6 +19,9 @@ constexpr const char* k_left_to_all[] = {
     "*AirBackends.*/wolf:*AirBackends.*/wake",                            // those of the train and of the meadow
     "*Repeat.*/grove:*Repeat.*/steady_trail:*Repeat.*/far_hills",         // those of the fan and of the slice
     "CoatGaps.TheWalkBetweenLayersClosesTheS*:CoatCost.FragmentsAPixel*", // the same walk: gaps of a plane, the order of layers
+    "Terrain.AWalkOfAKilometre*",                                         // Terrain.IsTheSame*, WindObstacles.AWalkOverHills
+    "WindBarriers.*AmongObstacles",                                       // WindBarriers.EachIsMissedWhereItIsLeftOut
+    "*AirBackends.*/meadow:StrandsOutside.OfTheBunny",                    // that of the train; StrandsOutside.NoTuftJumps
 };
 
 // Tests of four seconds and more. Shorter ones run the same code, one or two of each of these kinds.
@@ -48,6 +51,9 @@ constexpr const char* k_slow_under_asan[] = {
     "WindCalls.ViscosityInEvery*:WindCalls.StagesLeftOut:WindSaves.ContinueToTheBit:WindInFlight.EveryFrame*",
     "BlendZone.AWalkPast*:VoxelGrid.ASegment*:Ground.WindowShifts*:CascadeStep.IsTheSame*:Tree.PartsStay*",
     "*MotorCrowd.EqualsTheSum*/3000:WorkGrowth.OfMeshes:Ticks.StatesAt*",
+    "TiledGround.SmallTiles*:Together.AForm*:Together.MovesAs*:Together.CloseWhatOne*:Wholes.CloseWhat*:Wholes.HaveThe*",
+    "Wake.TheWholeStep*:GroundHoles.CloseWhat*:GroundRecovery.TrailOutlives*:PlantChance.DoesNotRepeat*",
+    "Window.AShiftOfTheOrigin*:SceneWakes.AirBehindAFurred*",
 };
 
 } // namespace

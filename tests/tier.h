@@ -27,14 +27,4 @@ inline constexpr bool k_sanitized = false;
     return std::max(std::min(count, least), part);
 }
 
-/// Whether a sanitizer leaves a test of figures to `./dev test all`: shorter ones run the same code.
-[[nodiscard]] inline bool left_to_all() {
-    return k_sanitized && !whole_sweeps();
-}
-
 } // namespace windrow::test
-
-/// The first line of a test that sanitizers leave to `./dev test all`.
-#define WINDROW_FIGURES_ALONE()                                                                                                  \
-    if (windrow::test::left_to_all())                                                                                            \
-    GTEST_SKIP() << "figures alone: ./dev test all takes it under sanitizers"

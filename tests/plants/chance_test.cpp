@@ -3,7 +3,6 @@
 #include "coupling/plant_numerics.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
-#include "tests/tier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,6 @@ double chi_squared(const std::vector<int>& bins, double expected) {
 }
 
 TEST(PlantChance, DoesNotRepeatOverAMeadow) {
-    WINDROW_FIGURES_ALONE();
     // Cells of a field of 500 m at 8 blades a metre would be 16 million; a corner of it shows what a weak hash repeats (a seed x
     // + 100 y repeats for 90 % of the cells at 1000 a side).
     std::set<std::pair<std::uint32_t, std::uint32_t>> seen;

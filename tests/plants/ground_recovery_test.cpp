@@ -4,7 +4,6 @@
 #include "coupling/ground_state.h"
 #include "coupling/motion_numerics.h"
 #include "tests/figure.h"
-#include "tests/tier.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +82,6 @@ TEST(GroundRecovery, NothingIsLeftInTheEnd) {
 // Where nobody has walked, the window's move does not touch what fades: as WindowShiftsChangeNoBit, for the slow part over a
 // minute.
 TEST(GroundRecovery, TrailOutlivesShiftsOfTheWindow) {
-    WINDROW_FIGURES_ALONE();
     GroundMemory stays = trodden({.texels = 64}), wanders = trodden({.texels = 64});
     std::mt19937 random(4);
     std::uniform_real_distribution<double> place(-4.0, 4.0);

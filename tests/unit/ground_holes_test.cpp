@@ -76,7 +76,6 @@ TEST(GroundHoles, PartsAreEachCellOnce) {
 
 // Level faces below the ground are closed by what the hole leaves of them, wherever its edges cut the cells; over and in it none is.
 TEST(GroundHoles, CloseWhatTheyLeaveOfEachFace) {
-    WINDROW_FIGURES_ALONE();
     std::mt19937 chance(7);
     double worst = 0.0, at_corners = 0.0;
     for (int n = 0; n < sampled(60, 20); ++n) {

@@ -5,7 +5,6 @@
 #include "scene/scene_reader.h"
 #include "tests/figure.h"
 #include "tests/own_folder.h"
-#include "tests/tier.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -77,7 +76,6 @@ TEST(SceneWakes, AirBehindAWalkerFollowsIt) {
 }
 
 TEST(SceneWakes, AirBehindAFurredBodyFollowsItAndFalseMeansStillAir) {
-    WINDROW_FIGURES_ALONE();
     for (const bool wake : {true, false}) {
         const auto scene = read(
             R"("bodies": [{"mesh": {"globe_sphere": {}}, "place": {"position": [0, -6.4, 0]}, "coats": [{}], "motion": {"path": "way", "wake": )" +

@@ -334,7 +334,6 @@ TEST(TiledGround, AWindOverTilesIsThatOverTheMap) {
 // tiles is tight. Where each tile is as thin as itself, the wind is .2 of itself off beside a plateau in tiles of 2 m, .74 beside a wall
 // of .6 m in tiles of .3 m.
 TEST(TiledGround, SmallTilesAreOneSurface) {
-    WINDROW_FIGURES_ALONE();
     const auto surface = [](glm::vec2 size, glm::ivec2 tiles, float shift) {
         std::vector<PlacedObstacle> all;
         const glm::vec2 tile = size / glm::vec2(tiles);

@@ -2,7 +2,6 @@
 // beside each other, on the floor, on ground and on other bodies.
 #include "fluid/solids/together.h"
 #include "tests/figure.h"
-#include "tests/tier.h"
 #include "tests/unit/drawn_ground.h"
 
 #include <functional>
@@ -88,7 +87,6 @@ constexpr float k_places[] = {0.0f, 0.31f, 0.5f, 0.77f}; // against the cells
 
 // By the sum of what each closes, the first four are .34, .72, .43 and .44 apart.
 TEST(Together, AFormIsTheSameInWhateverParts) {
-    WINDROW_FIGURES_ALONE();
     struct Case {
         const char* name;
         double bound;
@@ -176,7 +174,6 @@ TEST(Together, AFormIsTheSameInWhateverParts) {
 
 // What moves together, and over what rests. Drawn one by one .09, .35, .15 and .5.
 TEST(Together, MovesAsOneBody) {
-    WINDROW_FIGURES_ALONE();
     const auto worst = [](const std::function<std::pair<Bodies, Bodies>(glm::vec3)>& forms) {
         double most = 0.0;
         for (const float shift : k_places) {
@@ -203,7 +200,6 @@ TEST(Together, MovesAsOneBody) {
 
 // Two blocks that overlap close what one does, at any angle; in a box that is periodic, and while they come, go and rest.
 TEST(Together, CloseWhatOneBodyCloses) {
-    WINDROW_FIGURES_ALONE();
     std::mt19937 chance(5);
     const auto part = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(chance); };
     double worst = 0.0, worst_kept = 0.0;

@@ -2,7 +2,6 @@
 // impulse at any frame rate. Asked of the sources stage alone, and once of the whole step.
 
 #include "fluid/core/numerics.h"
-#include "tests/tier.h"
 #include "tests/winds.h"
 
 namespace {
@@ -93,7 +92,6 @@ TEST(Wake, ImpulseOfAPathDoesNotDependOnTheFrameRate) {
 
 // In the whole step too. In a periodic box nothing else changes the sum.
 TEST(Wake, TheWholeStepGivesTheSameImpulse) {
-    WINDROW_FIGURES_ALONE();
     const auto circle = [](double t) { return glm::dvec3(6.0 * std::cos(1.5 * t), 0.3, 6.0 * std::sin(1.5 * t)); };
     const double strength = 0.2;
     double smallest = 1e30, largest = 0.0;

@@ -1,6 +1,5 @@
 // Blocks that together are one block (fluid/solids/wholes.h).
 #include "tests/figure.h"
-#include "tests/tier.h"
 #include "tests/unit/drawn_ground.h"
 
 #include <random>
@@ -34,7 +33,6 @@ PlacedObstacle whole_of(glm::vec3 size, glm::vec3 place, const glm::mat3& axes =
 
 // Drawn one by one, two pieces close a third of a face that the block closes whole. Pieces come and go, too.
 TEST(Wholes, CloseWhatOneBlockCloses) {
-    WINDROW_FIGURES_ALONE();
     std::mt19937 chance(11);
     double worst = 0.0, worst_kept = 0.0;
     std::size_t inside = 0, inside_apart = 0;
@@ -74,7 +72,6 @@ TEST(Wholes, CloseWhatOneBlockCloses) {
 
 // A house, a tower, a wall: at cells' faces and beside them, with seams through cells' centres, pieces down to a cell.
 TEST(Wholes, HaveTheWindAndTheForceOfOneBlock) {
-    WINDROW_FIGURES_ALONE();
     struct Case {
         glm::vec3 size;
         glm::ivec3 pieces;

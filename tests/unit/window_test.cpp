@@ -1,7 +1,6 @@
 // The box that follows: nothing inside is lost, what is new is ambient, and where in the world it happens makes no difference.
 
 #include "fluid/event_log.h"
-#include "tests/tier.h"
 #include "tests/winds.h"
 
 #include <cstring>
@@ -252,7 +251,6 @@ struct FloatingWorld {
 };
 
 TEST(Window, AShiftOfTheOriginChangesNoAir) {
-    WINDROW_FIGURES_ALONE();
     const Config config{.cells = {20, 10, 16},
                         .boundaries = Boundaries::open_over_floor(),
                         .ambient = {5.0f, 0.0f, 1.0f},
