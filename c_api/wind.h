@@ -1,4 +1,4 @@
-/* The wind in a box that follows a player. One thread at a time may use a wind; two winds have no common state. A windrow_wind is on
+/* The wind in a box that follows a player. One thread at a time may use a wind; two winds have no common state, except where one is inside the other. A windrow_wind is on
    the CPU (windrow_wind_create) or on a device (windrow_vulkan_wind_create); both take the calls below, except where one is named. */
 #ifndef WINDROW_C_API_WIND_H
 #define WINDROW_C_API_WIND_H
@@ -141,6 +141,11 @@ WINDROW_C_API windrow_result windrow_box_init(windrow_box* box, uint32_t struct_
 /* --- Life ---------------------------------------------------------------------------------------------------------------- */
 
 WINDROW_C_API windrow_result windrow_wind_create(const windrow_config* config, windrow_wind** wind);
+/* Inside `outer`, on the CPU, which is around its box in place of the ambient wind. The config gives no mean wind, profile or gusts:
+   they are those of `outer`. Each frame, advance `outer` first. It stays in memory until its last inner wind is destroyed; one
+   thread at a time uses the two. Inside a wind on the CPU a wind on a device fits too: windrow_vulkan_wind_create_inside. */
+WINDROW_C_API windrow_result windrow_wind_create_inside(const windrow_config* config, const windrow_wind* outer,
+                                                        windrow_wind** wind);
 /* Null is allowed. Of a wind on a device no recording is in flight. */
 WINDROW_C_API void windrow_wind_destroy(windrow_wind* wind);
 /* The whole state as bytes; on a device see windrow_vulkan_wind_saved. */
@@ -148,6 +153,9 @@ WINDROW_C_API windrow_result windrow_wind_save(const windrow_wind* wind, windrow
 /* A wind that continues from there. `parallel_for` may be null. */
 WINDROW_C_API windrow_result windrow_wind_load(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
                                                windrow_wind** wind);
+/* The same of a wind inside another one: load `outer` first. */
+WINDROW_C_API windrow_result windrow_wind_load_inside(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
+                                                      const windrow_wind* outer, windrow_wind** wind);
 /* Notes every accepted call that changes the wind; null: no longer. The log outlives the wind or the next call of this. */
 WINDROW_C_API windrow_result windrow_wind_record_to(windrow_wind* wind, windrow_event_log* log);
 /* The config, as the wind has it now. What is behind its pointers belongs to the wind, until the next call of this. Gust tiles and

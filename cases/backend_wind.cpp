@@ -24,12 +24,13 @@ class CpuWind final : public BackendWind {
 } // namespace
 
 Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, [[maybe_unused]] const Backend& backend,
-                                                         [[maybe_unused]] BackendClock clock) {
+                                                         [[maybe_unused]] BackendClock clock,
+                                                         std::shared_ptr<const Wind> outer) {
 #if WINDROW_WITH_VULKAN
     if (!backend.is_cpu())
-        return DeviceWind::create(config, backend, clock);
+        return DeviceWind::create(config, backend, clock, outer);
 #endif
-    return create(config, nullptr);
+    return create(config, std::move(outer));
 }
 
 Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, std::shared_ptr<const Wind> outer) {

@@ -69,9 +69,11 @@ enum class BackendClock : std::uint8_t { off, on };
 
 class BackendWind : public WindControl {
   public:
+    /// `outer`: the wind around, on the CPU; null: none.
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
-                                                                     BackendClock clock = BackendClock::off);
-    /// On the CPU, inside another wind.
+                                                                     BackendClock clock = BackendClock::off,
+                                                                     std::shared_ptr<const Wind> outer = {});
+    /// On the CPU.
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, std::shared_ptr<const Wind> outer);
     /// A wind on the CPU that goes on from what Wind::save returned.
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>>

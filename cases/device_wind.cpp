@@ -28,14 +28,15 @@ void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
 
 } // namespace
 
-Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock) {
+Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock,
+                                                        const std::shared_ptr<const Wind>& outer) {
     vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1, .queries = vulkan::ReadBack::cells};
     settings.timestamps = clock == BackendClock::on;
     settings.forces = backend.forces;
-    auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
+    auto wind = vulkan::Wind::create(backend.device()->host(), config, settings, outer);
     if (!wind && settings.timestamps) { // a queue that counts no time
         settings.timestamps = false;
-        wind = vulkan::Wind::create(backend.device()->host(), config, settings);
+        wind = vulkan::Wind::create(backend.device()->host(), config, settings, outer);
     }
     if (!wind)
         return wind.failure();

@@ -13,7 +13,8 @@ class DeviceWind final : public BackendWind {
   public:
     /// `backend` has a device.
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend,
-                                                                     BackendClock clock);
+                                                                     BackendClock clock,
+                                                                     const std::shared_ptr<const Wind>& outer = {});
 
     /// times_ms.total is the time from the recording to the end on the device; the stages are by the device's clock, 0 without.
     Diagnostics step(double dt) override { return run(dt); }

@@ -9,16 +9,12 @@ using namespace cases;
 using detail::message;
 
 Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads, const Backend& backend) {
-    if (!scene.outer.empty() && !backend.is_cpu())
-        return Error{message(scene.file.string(), ": $.air.outer is a wind around the box, which runs on the CPU alone: drop "
-                                                  "--backend, or remove it.")};
     auto levels = scene::SceneLevels::create(scene, threads);
     if (!levels)
         return levels.failure();
     Config config = levels->inner_config();
     config.parallel_for = threads;
-    auto wind = levels->size() > 0 ? BackendWind::create(config, levels->nearest())
-                                   : BackendWind::create(config, backend, BackendClock::on);
+    auto wind = BackendWind::create(config, backend, BackendClock::on, levels->nearest());
     if (!wind)
         return wind.failure().after(message(scene.file.string(), ": $.air: "));
     Playback playback(scene, *std::move(levels), *std::move(wind));

@@ -222,7 +222,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                                           : Playback::create(*scene, pool->parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
-        // A device that has no room; levels around the box are none of its.
+        // A device that has no room; a level around the box that is not outside of it is the scene's fault.
         return backend.is_cpu() || !scene->outer.empty() ? k_exit_wrong_use : k_exit_machine;
     }
 

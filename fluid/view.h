@@ -105,6 +105,8 @@ class WINDROW_API WindView {
     [[nodiscard]] BlendZone blend_zone() const { return blend_zone_; }
     /// The ambient wind around the box at the time of the view.
     [[nodiscard]] const AmbientWind& ambient() const { return *ambient_; }
+    /// The wind around the box.
+    [[nodiscard]] const ViewAround& around() const { return around_; }
     /// Position of the textures, relative to `anchor` [m]; the fields of the frame before are those of this one.
     [[nodiscard]] WindowBlock block(glm::dvec3 anchor) const;
 

@@ -30,9 +30,8 @@ Wind::State::State(const Config& config, Workspace workspace, const AmbientWind&
     core.start();
 }
 
-namespace {
+namespace detail {
 
-// A wind in `outer` has the ambient wind of that.
 Config config_within(const Config& config, const Wind& outer) {
     Config within = config;
     within.ambient = outer.config().ambient;
@@ -42,7 +41,7 @@ Config config_within(const Config& config, const Wind& outer) {
     return within;
 }
 
-void check_within(detail::Reasons& reasons, const Config& config, const Wind& outer) {
+void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
     if (config.ambient != glm::vec3(0.0f) || config.profile || config.gusts.intensity != 0.0f)
         reasons.add("ambient, profile or gusts are given beside an outer wind: leave them out, all levels take those of the "
                     "outermost wind.");
@@ -70,7 +69,7 @@ void check_within(detail::Reasons& reasons, const Config& config, const Wind& ou
     }
 }
 
-} // namespace
+} // namespace detail
 
 Wind::Wind(std::unique_ptr<State> state) : WindControl(state->core), state_(std::move(state)) {}
 Wind::Wind(Wind&&) noexcept = default;
@@ -87,7 +86,7 @@ Result<Wind> Wind::create(const Config& wanted, std::shared_ptr<const Wind> oute
             return valid.failure();
         if (outer) {
             detail::Reasons reasons;
-            check_within(reasons, wanted, *outer);
+            detail::check_within(reasons, wanted, *outer);
             if (!reasons.empty())
                 return Error{reasons.take()};
         }
@@ -97,7 +96,7 @@ Result<Wind> Wind::create(const Config& wanted, std::shared_ptr<const Wind> oute
 
 Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
-        const Config config = outer ? config_within(wanted, *outer) : wanted;
+        const Config config = outer ? detail::config_within(wanted, *outer) : wanted;
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)

@@ -120,6 +120,8 @@ struct DeviceNames {
     Surface surface;
     [[nodiscard]] Surface surface_history() const { return surface; }
     [[nodiscard]] cpu::Cells::KeptPotential kept_potential() const { return {}; }
+    LevelState level{};
+    [[nodiscard]] const LevelState& level_state() const { return level; }
 };
 
 } // namespace
@@ -280,7 +282,7 @@ struct StateFields {
     static constexpr std::uint8_t k_levels_mark = 0x4c;
     /// Of winds with others around or inside, after all else: those without have nothing there.
     static void levels(auto& archive, auto& cells, bool has_outer) {
-        cpu::Cells::LevelState level;
+        LevelState level;
         if constexpr (Reading<decltype(archive)>) {
             std::uint8_t mark = 0;
             if (!archive.at_end()) {
@@ -297,7 +299,7 @@ struct StateFields {
                                 "what it has of other winds is out of range.");
         } else {
             level = cells.level_state();
-            if (!level.pressure.empty())
+            if (!level.pressure.empty() || !level.outer.empty())
                 archive(k_levels_mark, level.pressure, level.pressure_before, level.shown_factor, level.outer,
                         level.outer_origin);
         }
@@ -394,7 +396,8 @@ std::size_t bytes_beside(const WindCore& core) {
 
 } // namespace
 
-SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface) {
+SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface,
+                             const LevelState& level) {
     const std::size_t cells = core.box().cell_count();
     DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
     writer(saved_config(core));
@@ -409,8 +412,10 @@ SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurfa
                                         .terms = std::vector(surface.keys.size(), DeviceState::surface_term),
                                         .shift = surface.shift,
                                         .loads = std::move(loads),
-                                        .duration = surface.load_duration}};
+                                        .duration = surface.load_duration},
+                            .level = level};
     StateFields::state(writer, core, names);
+    StateFields::levels(writer, names, core.outer != nullptr);
     return std::move(writer).finish();
 }
 
@@ -432,7 +437,8 @@ LoadedWind loaded(Wind& wind) {
             .before = cells.frames.before,
             .shown = cells.frames.shown.cells,
             .shown_before = cells.frames.shown_before.cells,
-            .surface = cells.surface_history()};
+            .surface = cells.surface_history(),
+            .level = cells.level_state()};
 }
 
 Result<std::vector<std::byte>> Wind::save() const {

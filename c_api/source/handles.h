@@ -51,6 +51,8 @@ struct windrow_wind {
     windrow::WindControl* control = nullptr;
     windrow::WindReader* reader = nullptr;
     windrow::Wind* cpu = nullptr; ///< null: on a device
+    /// The same, which winds inside this one keep alive.
+    std::shared_ptr<const windrow::Wind> shared;
     int motors_lost = 0;          ///< of which the host was warned
     int filling_obstacles = 0;    ///< the same
     mutable bool limit = false;   ///< the host was warned that Sampling::limit cuts the wind
@@ -74,15 +76,26 @@ namespace windrow::c_api {
 
 template <class Air>
 struct WindOf final : windrow_wind {
-    explicit WindOf(Air its_air) : air(std::move(its_air)) {
+    explicit WindOf(Air its_air) : owned(std::make_shared<Air>(std::move(its_air))), air(*owned) {
         control = &air;
         reader = &air;
-        if constexpr (std::same_as<Air, Wind>)
+        if constexpr (std::same_as<Air, Wind>) {
             cpu = &air;
+            shared = owned;
+        }
     }
 
-    Air air;
+    std::shared_ptr<Air> owned;
+    Air& air;
 };
+
+/// Runs use(wind around), the wind on the CPU that a new one is inside of.
+template <class Use>
+[[nodiscard]] windrow_result with_outer(const windrow_wind* outer, const Use& use) {
+    if (outer->cpu == nullptr)
+        return fail(WINDROW_UNSUPPORTED, "outer is a wind on a device: give one on the CPU, which winds on a device are inside of too.");
+    return use(outer->shared);
+}
 
 /// Warns the host's logger of what is wrong with a step or a recording, if anything.
 void warn_of(windrow_wind& wind, const Diagnostics& report);

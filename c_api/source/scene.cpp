@@ -5,7 +5,7 @@
 #include "fluid/core/message.h"
 #include "fluid/files/new_file.h"
 #include "fluid/saved_parts.h"
-#include "scene/scene_air.h"
+#include "scene/scene_levels.h"
 #include "scene/scene_reader.h"
 #include "scene/scene_writer.h"
 
@@ -22,6 +22,7 @@ using namespace windrow::c_api;
 
 struct windrow_scene {
     std::unique_ptr<const scene::Scene> scene; ///< stays where it is: the air refers to it
+    scene::SceneLevels levels;                ///< around the wind
     scene::SceneAir air;
     WindOf<Wind> wind;
     ParallelFor parallel_for{};
@@ -31,6 +32,7 @@ namespace {
 
 constexpr const char* k_clock = "scene";
 constexpr const char* k_wind = "wind";
+constexpr const char* k_levels = "levels"; // none in scenes without
 
 /// Begins the air of a scene.
 windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* parallel_for, windrow_scene** out) {
@@ -39,14 +41,18 @@ windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* para
     for (const std::string& warning : read->warnings)
         warn(warning.c_str());
     auto scene = std::make_unique<const scene::Scene>(*std::move(read));
-    Config config = scene->air;
-    config.parallel_for = loop_of(parallel_for);
-    auto wind = Wind::create(config);
+    const ParallelFor threads = loop_of(parallel_for);
+    auto levels = scene::SceneLevels::create(*scene, threads);
+    if (!levels)
+        return done(levels);
+    Config config = levels->inner_config();
+    config.parallel_for = threads;
+    auto wind = Wind::create(config, levels->nearest());
     if (!wind)
         return done(wind);
     const scene::Scene& there = *scene;
     auto made = std::unique_ptr<windrow_scene>(
-        new windrow_scene{std::move(scene), scene::SceneAir(there), WindOf<Wind>(*std::move(wind)), config.parallel_for});
+        new windrow_scene{std::move(scene), *std::move(levels), scene::SceneAir::within(there), WindOf<Wind>(*std::move(wind)), threads});
     if (const auto begun = made->air.begin(made->wind.air); !begun)
         return done(begun);
     *out = made.release();
@@ -116,6 +122,8 @@ WINDROW_EXPORT windrow_result windrow_scene_step(windrow_scene* scene, windrow_d
             return outcome;
         const scene::FrameTimes times = scene->scene->frame_times();
         const std::int64_t next = scene->air.steps() + 1;
+        if (const auto around = scene->levels.advance_to(times.time_of_step(next)); !around)
+            return done(around);
         if (const auto placed = scene->air.advance_to(scene->wind.air, times.time_of_step(next)); !placed)
             return done(placed);
         return windrow_wind_step(&scene->wind, times.length_of_step(next), diagnostics);
@@ -127,6 +135,8 @@ WINDROW_EXPORT windrow_result windrow_scene_advance(windrow_scene* scene, double
             return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
         if (const windrow_result outcome = check_output(advance); outcome != WINDROW_OK)
             return outcome;
+        if (const auto around = scene->levels.advance_to(scene->air.time() + dt); !around)
+            return done(around);
         if (const auto placed = scene->air.advance_to(scene->wind.air, scene->air.time() + dt); !placed)
             return done(placed);
         return windrow_wind_advance(&scene->wind, dt, advance, nullptr);
@@ -177,8 +187,11 @@ WINDROW_EXPORT windrow_result windrow_scene_save(const windrow_scene* scene, win
         if (!wind)
             return wind.failure();
         const std::vector<std::byte> clock = scene->air.save();
-        const std::array parts{SavedPart{k_clock, clock}, SavedPart{k_wind, *wind}};
-        return join_parts(parts);
+        const auto levels = scene->levels.save();
+        if (!levels)
+            return levels.failure();
+        const std::array parts{SavedPart{k_clock, clock}, SavedPart{k_wind, *wind}, SavedPart{k_levels, *levels}};
+        return join_parts(std::span(parts).first(scene->levels.size() > 0 ? 3 : 2));
     });
 }
 WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size) {
@@ -189,12 +202,18 @@ WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const 
         const auto clock = find_part(*parts, k_clock), air = find_part(*parts, k_wind);
         if (!clock || !air)
             return done(clock ? air : clock);
-        auto wind = Wind::load(*air, scene->parallel_for);
+        const bool has_levels = std::ranges::any_of(*parts, [](const auto& part) { return part.name == k_levels; });
+        const auto around = has_levels ? find_part(*parts, k_levels) : Result<std::span<const std::byte>>(std::span<const std::byte>{});
+        auto levels = scene::SceneLevels::load(*scene->scene, scene->parallel_for, *around);
+        if (!levels)
+            return done(levels);
+        auto wind = Wind::load(*air, scene->parallel_for, levels->nearest());
         if (!wind)
             return done(wind);
         if (const auto placed = scene->air.load(*clock); !placed)
             return done(placed);
         scene->wind.air = *std::move(wind);
+        scene->levels = *std::move(levels);
         return WINDROW_OK;
     });
 }

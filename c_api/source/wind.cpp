@@ -189,6 +189,16 @@ WINDROW_EXPORT windrow_result windrow_wind_create(const windrow_config* config, 
     return call({{config, "config"}, {wind, "wind"}},
                 [&] { return with(config, [&](const Config& wanted) { return make_cpu_wind(wind, Wind::create(wanted)); }); });
 }
+WINDROW_EXPORT windrow_result windrow_wind_create_inside(const windrow_config* config, const windrow_wind* outer,
+                                                         windrow_wind** wind) {
+    if (wind != nullptr)
+        *wind = nullptr;
+    return call({{config, "config"}, {outer, "outer"}, {wind, "wind"}}, [&] {
+        return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
+            return with(config, [&](const Config& wanted) { return make_cpu_wind(wind, Wind::create(wanted, around)); });
+        });
+    });
+}
 WINDROW_EXPORT void windrow_wind_destroy(windrow_wind* wind) {
     delete wind;
 }
@@ -206,6 +216,18 @@ WINDROW_EXPORT windrow_result windrow_wind_load(const void* bytes, uint64_t size
     return call({{bytes, "bytes"}, {wind, "wind"}}, [&] {
         return make_cpu_wind(
             wind, Wind::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)}, loop_of(parallel_for)));
+    });
+}
+WINDROW_EXPORT windrow_result windrow_wind_load_inside(const void* bytes, uint64_t size,
+                                                       const windrow_parallel_for* parallel_for, const windrow_wind* outer,
+                                                       windrow_wind** wind) {
+    if (wind != nullptr)
+        *wind = nullptr;
+    return call({{bytes, "bytes"}, {outer, "outer"}, {wind, "wind"}}, [&] {
+        return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
+            const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
+            return make_cpu_wind(wind, Wind::load(saved, loop_of(parallel_for), around));
+        });
     });
 }
 WINDROW_EXPORT windrow_result windrow_wind_record_to(windrow_wind* wind, windrow_event_log* log) {

@@ -22,6 +22,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace windrow {
 
@@ -94,6 +95,7 @@ struct CellStep {
     bool may_rest = false;        ///< nothing acts: whether the air is still is measured
     bool rests = false;           ///< the air becomes ambient after this step and sleeps
     float outer_way = 1.0f;       ///< of the way to the outer wind of now, which the step goes
+    float outer_speed = 0.0f;     ///< [m/s] largest component of that; 0: there is none
 };
 
 /// Memory needs of the next calls.
@@ -127,6 +129,14 @@ class CellStorage {
     virtual void shift_origin(const OriginShift& shift) = 0;
     /// Memory for the vectors of all cells, between two calls; empty where the storage has none in the host's memory.
     [[nodiscard]] virtual std::span<glm::vec4> spare() { return {}; }
+};
+
+/// What a wind keeps for an inner one, and of its own outer one; empty without.
+struct LevelState {
+    std::vector<float> pressure{}, pressure_before{}; ///< [m^2/s^2] of the cells; a device keeps none
+    float shown_factor = 1.0f;
+    std::vector<float> outer{}; ///< D and p of padded cells
+    CellIndex outer_origin{0};
 };
 
 /// Both blow alike, at the same places.

@@ -17,6 +17,7 @@ using namespace glm;
 #include "shaders/numerics/diffusion.glsl"
 #include "shaders/numerics/history.glsl"
 #include "shaders/numerics/lee.glsl"
+#include "shaders/numerics/levels.glsl"
 #include "shaders/numerics/motors.glsl"
 #include "shaders/numerics/slip.glsl"
 #include "shaders/numerics/splitting.glsl"

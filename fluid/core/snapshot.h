@@ -53,7 +53,8 @@ struct DeviceSurface {
 
 /// The state of the host now. `fresh`: the cells have no past. The frame before the one shown is written as that one: a device
 /// does not hold its cells. Throws std::bad_alloc.
-[[nodiscard]] WINDROW_INTERNAL SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface);
+[[nodiscard]] WINDROW_INTERNAL SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface,
+                                                            const LevelState& level = {});
 /// The bytes of Wind::save, once all gaps are filled. Throws std::bad_alloc.
 [[nodiscard]] WINDROW_INTERNAL std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft);
 
@@ -67,6 +68,7 @@ struct LoadedWind {
     std::span<const glm::vec4> source_flow{};                     ///< empty without
     std::span<const glm::vec4> before{}, shown{}, shown_before{}; ///< with ticks
     SurfaceHistory surface{};
+    LevelState level{};
 };
 [[nodiscard]] WINDROW_INTERNAL LoadedWind loaded(Wind& wind);
 

@@ -116,7 +116,7 @@ void SpeedBound::note_read(std::span<const glm::vec4> air, const AmbientWind& am
 
 void SpeedBound::note(const CellStep& step, const Box& box) {
     ambient_ = largest_ambient(*step.ambient, *step.window, &gusts_);
-    float target = ambient_, moved = 0.0f, force = 0.0f, flow = 0.0f;
+    float target = std::max(ambient_, step.outer_speed), moved = 0.0f, force = 0.0f, flow = 0.0f;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             target = std::max(target, largest_component(box.boundaries.at(axis, end).wall_velocity));

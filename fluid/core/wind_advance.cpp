@@ -232,7 +232,8 @@ void WindCore::run_step(double duration, float outer_way, Diagnostics& report) {
                   .has_source_flow = source_name != 0,
                   .kept = frames.has_value(),
                   .may_rest = Sleep::may_begin(conditions),
-                  .outer_way = outer_way};
+                  .outer_way = outer_way,
+                  .outer_speed = outer ? outer->diagnostics().max_speed : 0.0f};
     speed.note(cells_.measured());
     speed.note(step, box());
     step.tick = speed.tick();

@@ -129,6 +129,9 @@ void check_ambient(Reasons& reasons, glm::vec3 ambient);
 /// `rows`: the box has rows of its own.
 void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries, bool rows);
 void check_rows(Reasons& reasons, const Config& config);
+/// A config inside `outer`, whose ambient wind it takes; and why it cannot be inside.
+[[nodiscard]] WINDROW_INTERNAL Config config_within(const Config& config, const Wind& outer);
+WINDROW_INTERNAL void check_within(Reasons& reasons, const Config& config, const Wind& outer);
 [[nodiscard]] WINDROW_INTERNAL Result<void> check_room(const char* call, std::size_t values, const Box& box);
 } // namespace detail
 

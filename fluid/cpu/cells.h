@@ -137,13 +137,6 @@ class Cells final : public CellStorage {
     /// visit(cell, velocity) for each cell in a body that is read as air beside it, in the frame shown.
     void for_each_filled(const std::function<void(std::uint32_t, glm::vec3)>& visit) const;
 
-    /// What a wind keeps for an inner one, and of its own outer one; empty without.
-    struct LevelState {
-        std::vector<float> pressure{}, pressure_before{};
-        float shown_factor = 1.0f;
-        std::vector<float> outer{}; ///< D and p of padded cells
-        CellIndex outer_origin{0};
-    };
     [[nodiscard]] WINDROW_INTERNAL LevelState level_state() const;
     /// False where it is that of another box. Throws std::bad_alloc.
     [[nodiscard]] bool set_level_state(const LevelState& level);

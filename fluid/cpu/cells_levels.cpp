@@ -133,7 +133,7 @@ void Cells::shift_pressure(const CellChange& change) {
     }
 }
 
-Cells::LevelState Cells::level_state() const {
+LevelState Cells::level_state() const {
     const auto copied = [](std::span<const float> field) { return std::vector<float>(field.begin(), field.end()); };
     LevelState level{.pressure = copied(pressure_), .pressure_before = copied(pressure_before_), .shown_factor = shown_factor_};
     if (outer_) {
@@ -147,7 +147,7 @@ bool Cells::set_level_state(const LevelState& level) {
     const std::size_t cells = air.velocity.size();
     if (level.outer.size() != (outer_ ? 4 * outer_->values().size() : 0) ||
         level.pressure.size() != level.pressure_before.size() || (!level.pressure.empty() && level.pressure.size() != cells) ||
-        (outer_ && level.pressure.empty()) || !(level.shown_factor >= 0.0f && level.shown_factor <= 1.0f))
+        !(level.shown_factor >= 0.0f && level.shown_factor <= 1.0f))
         return false;
     if (!level.pressure.empty()) {
         keep_pressure();

@@ -237,7 +237,7 @@ void OuterWind::renew(const Window& window, const ParallelFor& parallel_for) {
 }
 
 void OuterWind::move_to(const Window& window, const ParallelFor& parallel_for) {
-    if (holds_ && origin_ == window.origin_cells)
+    if (holds(window))
         return;
     const CellIndex by = window.origin_cells - origin_;
     const glm::ivec3 padded = box_.cells + k_halo;
@@ -268,7 +268,7 @@ void OuterWind::begin_step(const Window& window, float way, const ParallelFor& p
     sample(window, end_, parallel_for);
     if (way < 1.0f)
         for (std::size_t n = 0; n < end_.size(); ++n)
-            end_[n] = now_[n] + way * (end_[n] - now_[n]);
+            end_[n] = numerics::windrow_outer_between(now_[n], end_[n], way);
 }
 
 void OuterWind::begin_part(int part, int parts, const ParallelFor& parallel_for) {
@@ -282,7 +282,7 @@ void OuterWind::begin_part(int part, int parts, const ParallelFor& parallel_for)
         parallel_for(static_cast<int>(places_[2].size()), [&](int k) {
             const std::size_t first = plane * static_cast<std::size_t>(k);
             for (std::size_t n = first; n < first + plane; ++n)
-                field[n] = now_[n] + way * (end_[n] - now_[n]);
+                field[n] = numerics::windrow_outer_between(now_[n], end_[n], way);
         });
     };
     if (start_ == &from_)
@@ -326,13 +326,12 @@ float OuterWind::slope(const Buffer<glm::vec4>& of, glm::ivec3 at, int axis) con
     high[axis] = std::min(at[axis] + 1, box_.cells[axis] + k_halo_high - 1);
     const float distance =
         axis == 1 ? height(high.y) - height(low.y) : box_.cell_size * static_cast<float>(high[axis] - low[axis]);
-    return (of[padded_index(box_.cells, high)].w - of[padded_index(box_.cells, low)].w) / distance;
+    return numerics::windrow_outer_slope(of[padded_index(box_.cells, low)].w, of[padded_index(box_.cells, high)].w, distance);
 }
 
 void OuterWind::compose(const Around& around, const ParallelFor& parallel_for) {
-    factor_ = around.fresh ? around.dt : 0.5f * around.dt;
-    per_potential_ = factor_ / box_.cell_size;
-    const float departs = around.fresh ? 0.0f : 0.5f * around.dt;
+    factor_ = numerics::windrow_outer_factor(around.dt, !around.fresh);
+    const float departs = numerics::windrow_outer_departs(around.dt, !around.fresh);
     const Buffer<glm::vec4>&start = *start_, &next = *next_;
     const glm::ivec3 cells = box_.cells, padded = cells + k_halo;
     constexpr Four k_no_pressure = {1.0f, 1.0f, 1.0f, 0.0f};
@@ -381,7 +380,8 @@ void OuterWind::compose(const Around& around, const ParallelFor& parallel_for) {
 
 float OuterWind::Sides::potential(glm::ivec3 cell, int axis, int end) const {
     cell[axis] += end == 0 ? -1 : 1;
-    return outer_.per_potential_ * (*outer_.next_)[padded_index(outer_.box_.cells, cell)].w;
+    return numerics::windrow_outer_potential((*outer_.next_)[padded_index(outer_.box_.cells, cell)].w, outer_.factor_,
+                                             outer_.box_.cell_size);
 }
 
 float OuterWind::Sides::rise(glm::ivec3 cell, int axis, int end) const {
@@ -389,7 +389,8 @@ float OuterWind::Sides::rise(glm::ivec3 cell, int axis, int end) const {
     ghost[axis] += end == 0 ? -1 : 1;
     const Buffer<glm::vec4>& next = *outer_.next_;
     const auto wind = [&](glm::ivec3 at) {
-        return next[padded_index(outer_.box_.cells, at)][axis] + outer_.factor_ * outer_.slope(next, at, axis);
+        return numerics::windrow_outer_pushed(next[padded_index(outer_.box_.cells, at)][axis], outer_.factor_,
+                                              outer_.slope(next, at, axis));
     };
     return wind(ghost) - wind(cell);
 }

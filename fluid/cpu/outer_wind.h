@@ -16,6 +16,7 @@
 // Based on: Davies 1976, Quarterly Journal 102; Skamarock & Klemp 2008, Journal of Computational Physics 227 (one-way nesting).
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/sources.h"
 #include "fluid/parallel.h"
@@ -30,13 +31,15 @@ namespace windrow::cpu {
 
 class Cells;
 
-class OuterWind {
+class WINDROW_INTERNAL OuterWind {
   public:
     /// Of a box inside the cells of the outer wind, which outlive it and keep their pressure from now on.
     OuterWind(const Box& box, Cells& outer);
 
     /// What it holds becomes the outer wind of now, in a window.
     void renew(const Window& window, const ParallelFor& parallel_for);
+    /// Whether it holds values in that window.
+    [[nodiscard]] bool holds(const Window& window) const { return holds_ && origin_ == window.origin_cells; }
     /// The box has moved: cells that stay keep their values.
     void move_to(const Window& window, const ParallelFor& parallel_for);
     /// A step of `parts` sub-steps begins, which goes `way` of the way to the outer wind of now.
@@ -78,6 +81,8 @@ class OuterWind {
     [[nodiscard]] std::size_t memory_bytes() const;
     /// For snapshots: the values of now, and the box that they are of.
     [[nodiscard]] std::span<const glm::vec4> values() const { return now_; }
+    /// D and p that the step ends with, from begin_step to end_step.
+    [[nodiscard]] std::span<const glm::vec4> values_at_end() const { return end_; }
     [[nodiscard]] CellIndex origin() const { return origin_; }
     void restore(std::span<const float> values, CellIndex origin);
     void shift_origin(CellIndex by) { origin_ += by; }
@@ -99,7 +104,7 @@ class OuterWind {
     Cells& outer_;
     CellIndex origin_{0};
     bool holds_ = false;                         ///< any outer wind yet
-    float per_potential_ = 0.0f, factor_ = 0.0f; ///< c / h and c of the sub-step
+    float factor_ = 0.0f;                        ///< c of the sub-step
     Buffer<glm::vec4> now_, end_, from_, to_;    ///< D and p of padded cells
     const Buffer<glm::vec4>* start_ = &now_;     ///< of the sub-step
     const Buffer<glm::vec4>* next_ = &now_;

@@ -67,7 +67,7 @@ Result<Memory::Measured> Air::measure() {
     // Size check before any allocation of that size on host or device: the padded fields, and the tables of the direct solves.
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
     const double floats =
-        std::max((settings_.gusts ? 12.0 : 8.0) * padded.x * padded.y * padded.z,
+        std::max((settings_.gusts ? 12.0 : 8.0) * padded.x * padded.y * padded.z + (settings_.outer ? 1048576.0 : 0.0),
                  static_cast<double>(SolveTables::max_floats(config_.cells, prepared_ == DiffusionMethod::implicit)));
     if (4.0 * floats > static_cast<double>(device_->limits().maxStorageBufferRange))
         return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
@@ -97,6 +97,7 @@ Result<void> Air::make_memory() {
                                             .rough = rough(),
                                             .rows = rows_table_ != nullptr,
                                             .gusts = settings_.gusts,
+                                            .outer = settings_.outer != nullptr,
                                             .slabs = Passes::fits_in_slabs(*device_, config_.cells),
                                             .texel = settings_.texel,
                                             .textures = settings_.textures,
@@ -120,6 +121,8 @@ Result<void> Air::make() {
         layer_wanted_.reserve(fields_.layer.bytes() / sizeof(float));
         layer_written_.reserve(layer_wanted_.capacity());
     }
+    if (settings_.outer != nullptr)
+        outer_.emplace(box(), *settings_.outer);
     auto passes = passes_for(settings_.obstacles);
     if (!passes)
         return passes.failure();
@@ -143,6 +146,7 @@ Result<Passes> Air::passes_for(bool obstacles) {
                                   .obstacles = obstacles,
                                   .rough = rough(),
                                   .rows = rows_table_ != nullptr,
+                                  .outer = outer_.has_value(),
                                   .samples = obstacles || reading_maker_.law().acts()});
     if (passes)
         passes->set_tables(*tables_);
@@ -185,7 +189,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
         bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) |
-        bit(step.may_rest, WINDROW_MAY_REST) | bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
+        bit(step.may_rest, WINDROW_MAY_REST) | bit(outer_turned_, WINDROW_OUTER_TURNED) | bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
@@ -292,6 +296,7 @@ void Air::apply(VkCommandBuffer commands, const CellChange& change) {
         return;
     }
     place_exposed(commands);
+    follow_outer(change);
     if (keeps_ && (change.kind == Kind::fill || !change.to_air)) // the velocity and what is kept part here
         keep(commands);
     keeps_ = keeps_ && change.kind != Kind::fill_before;
@@ -380,6 +385,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;
     if (shift_ && !same_wind(shift_->ambient, *step.ambient)) // exposed cells hold the wind of then
         place_exposed(commands);
+    begin_outer(commands, step);
     const bool bodies_move =
         std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
     const bool places = step.obstacles_changed || place_again_ || (bodies_move && substeps > 1);
@@ -474,6 +480,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0; // the next sub-step has a past
     }
     counted_ = !around.rooms; // whose air may be slowed
+    end_outer();
 }
 
 void Air::substep(VkCommandBuffer commands, std::span<const Passes::Stage> stages, int number,

@@ -22,6 +22,7 @@
 #include "fluid/api.h"
 #include "fluid/core/cell_storage.h"
 #include "fluid/core/snapshot.h"
+#include "fluid/cpu/outer_wind.h"
 #include "fluid/solids/loads.h"
 #include "fluid/solids/reading.h"
 #include "fluid/solids/surface_layer.h"
@@ -90,6 +91,7 @@ class Air {
         Reads reads{};
         VkExternalMemoryHandleTypeFlagBits exported{}; ///< textures; 0: not
         bool obstacles = false;                        ///< the passes are made for them from the start
+        cpu::Cells* outer = nullptr;                   ///< of the wind around the box, which outlive it; null: none
     };
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
     /// With calls given, as a test does that has one fail.
@@ -130,8 +132,14 @@ class Air {
         shift.move(window_);
         reading_origin_ += shift.cells;
         drag_origin_ += shift.cells;
+        if (outer_)
+            outer_->shift_origin(shift.cells);
     }
     void make_room_to_restore();
+    /// What is around the box between ticks; null: the ambient wind.
+    [[nodiscard]] const cpu::OuterWind* outer() const { return outer_ ? &*outer_ : nullptr; }
+    /// It is this, as OuterWind::restore takes it.
+    void restore_outer(std::span<const float> values, CellIndex origin);
     [[nodiscard]] bool fresh() const { return fresh_; }
     /// Faces of obstacles whose history `save` copies.
     [[nodiscard]] DeviceSurface surface() const;
@@ -276,6 +284,13 @@ class Air {
     void upload_drag(VkCommandBuffer commands, const DragCells& drag, const detail::CellRange& range);
     /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
+    // The outer wind (air_levels.cpp); without one they do nothing
+    void follow_outer(const CellChange& change);
+    void begin_outer(VkCommandBuffer commands, const CellStep& step);
+    void end_outer();
+    /// What the passes to come find, where they do not yet.
+    void upload_outer(VkCommandBuffer commands);
+    void upload_outer(VkCommandBuffer commands, std::span<const glm::vec4> cells, bool second);
     // What is shown (air_shown.cpp)
     void renew_reading(VkCommandBuffer commands);
     [[nodiscard]] Result<void> write_reading(VkCommandBuffer commands);
@@ -329,6 +344,9 @@ class Air {
     std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
     std::vector<float> layer_wanted_;            ///< scratch
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
+    std::optional<cpu::OuterWind> outer_;        ///< none: the ambient wind is around the box
+    bool outer_stale_ = true;                    ///< the device does not hold its values
+    bool outer_turned_ = false;                  ///< the second of the two fields holds those of now
     std::vector<float> drag_words_;              ///< scratch, as `drag_copies_`
     std::vector<VkBufferCopy> drag_copies_;
     bool drag_stale_ = true;  ///< Fields::drag does not hold what the last step had

@@ -165,6 +165,7 @@ void Air::begin(int slot) {
 
 void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
+    outer_stale_ = true;
     tile_.reset();
     layer_written_.clear();
     solids_.reset();
@@ -206,6 +207,7 @@ void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const A
     if (!tile)
         tile = settings_.gusts ? ambient.tile() : tile_;
     write_tables(commands);
+    upload_outer(commands);
     if (tile && tile != tile_) {
         tile_ = std::move(tile);
         // The host's shaders read it too: those of earlier frames finish before it changes.

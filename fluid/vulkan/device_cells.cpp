@@ -41,8 +41,16 @@ void DeviceCells::record(const CellChange& change) {
         queue_.push(change);
 }
 
+void DeviceCells::refill(const AmbientWind& ambient, const Window& window) {
+    if (std::exchange(filled_, false) && wind_.outer)
+        record({.kind = Kind::fill, .ambient = ambient, .window = window, .kept = wind_.frames.has_value()});
+}
+
 void DeviceCells::apply(const CellChange& change) {
+    if (change.kind == Kind::keep)
+        refill(change.ambient, change.window);
     record(change);
+    filled_ = change.kind == Kind::fill || (filled_ && change.kind != Kind::set);
     if (change.kind == Kind::fill || change.kind == Kind::set)
         held_at_ = wind_.sleep.drift;
 }
@@ -80,6 +88,7 @@ bool DeviceCells::materialise_gusts() {
 
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     materialise_gusts();
+    refill(*step.ambient, *step.window);
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};
     if (dictated) {
@@ -176,6 +185,7 @@ void DeviceCells::continue_from(RestoredAir&& restored) {
     queue_.clear();
     queue_.make_room();
     loaded_tick_ = wind_.speed.tick();
+    filled_ = false;
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

@@ -56,6 +56,8 @@ class DeviceCells final : public CellStorage {
   private:
     static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
 
+    /// In an outer wind, air that was filled and not stepped since is what blows now, as on the CPU.
+    void refill(const AmbientWind& ambient, const Window& window);
     /// Records now, or with the next frame.
     void record(const CellChange& change);
     void report_ambient(const CellStep& step, Diagnostics& report) const;
@@ -71,6 +73,7 @@ class DeviceCells final : public CellStorage {
     std::optional<RestoredAir> restored_; ///< of a loaded wind, until its first recording
     std::deque<TickRecorded> dictated_;
     std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
+    bool filled_ = false;                         ///< and not stepped since
     std::uint64_t loaded_tick_ = 0;               ///< the last one before this wind was loaded
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
 };

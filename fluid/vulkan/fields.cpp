@@ -56,7 +56,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make_blocks(fields.motors, "motors", k_motors_area * sizeof(WindrowMotor), k_max_motors * sizeof(WindrowMotor));
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
     // Motors' eddies are read from it too.
-    make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4), MemoryUse::shared);
+    make(fields.tile, "tile", (VkDeviceSize{128} * 16 * 128 + (sizes.outer ? 2 * padded : 0)) * sizeof(vec4), MemoryUse::shared);
     make(fields.velocity, "velocity", 2 * cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));
     make(fields.force, "force", cells * sizeof(vec4));

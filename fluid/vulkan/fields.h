@@ -5,6 +5,7 @@
 //   velocity                                                                    32 N: now and a sub-step ago
 //   history, force, drives, source_flow, arrived, diffused, before              16 N each
 //   padded                                                                      32 P, 48 P with gusts
+//   tile, with an outer wind                                                    4 MiB and 32 P
 //   expansion, hat, potential                                                   4 N each; hat_x too where the solve is in slabs
 //   drag                                                                        8 N, with the first deposit
 #pragma once
@@ -33,6 +34,7 @@ struct Fields {
         bool rough = false;    ///< else `layer` is empty
         bool rows = false;     ///< of unequal thickness: their table is behind the step
         bool gusts = false;    ///< else `tile` is one
+        bool outer = false;    ///< an outer wind's values are behind the tile
         bool slabs = false;    ///< else `hat_x` is a stand-in
         Texel texel = Texel::half;
         TextureSet textures = TextureSet::vectors;     ///< what it has not stays empty

@@ -52,7 +52,7 @@
 namespace windrow::vulkan {
 namespace {
 
-constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows, then that of reading.glsl
+constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then those of rows, reading.glsl and outer.glsl
 constexpr std::uint32_t k_load_groups = 64;     // that take bodies or closed faces in turns
 constexpr std::uint32_t k_surface_group = 1024; // of the passes of one group over what is at obstacles, where the device has them
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
@@ -295,6 +295,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         constants.push_back(yes(settings.obstacles));
         constants.push_back(yes(settings.rows));
         constants.push_back(yes(settings.samples));
+        constants.push_back(yes(settings.outer));
         auto pipeline = device.pipeline({.code = plan.code,
                                          .bindings = kinds,
                                          .constants = constants,

@@ -99,6 +99,7 @@ class Passes {
         bool obstacles = false;   ///< else the passes know none
         bool rough = false;       ///< over rough ground
         bool rows = false;        ///< of unequal thickness
+        bool outer = false;       ///< the box is in an outer wind
         bool samples = false;     ///< cells beside surfaces are shown otherwise than they are
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);

@@ -49,7 +49,7 @@ WindrowPoint point_in(const RecordedFrame& frame, glm::dvec3 position) {
             .unused_a = 0,
             .between = place.between,
             .over_floor = static_cast<float>(position.y - frame.frame.window.origin().y),
-            .ambient = place.ambient,
+            .ambient = frame.outer != nullptr && place.fraction < 1.0f ? frame.outer->velocity(position) : place.ambient,
             .unused_c = 0.0f};
 }
 
@@ -59,9 +59,11 @@ glm::vec3 HalfView::velocity(glm::dvec3 position) const {
     if (samples_)
         return place_.velocity(position);
     const Box& box = place_.box();
+    auto place = windrow::detail::place_in(box, place_.window(), place_.blend_zone(), place_.ambient(), position);
+    if (place_.around().outer != nullptr && place.fraction < 1.0f)
+        place.ambient = place_.around().outer->velocity(position);
     return windrow::detail::wind_at(
-        windrow::detail::place_in(box, place_.window(), place_.blend_zone(), place_.ambient(), position),
-        [&](int i, int j, int k) { return glm::vec3(vector_of(cells_[box.index(i, j, k)])); });
+        place, [&](int i, int j, int k) { return glm::vec3(vector_of(cells_[box.index(i, j, k)])); });
 }
 
 void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {

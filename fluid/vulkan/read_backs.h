@@ -21,6 +21,7 @@ struct RecordedFrame {
     std::uint64_t tick = 0;                          ///< the last one in it or before
     std::shared_ptr<const SurfaceReading> reading{}; ///< how its cells are sampled; null: as they are
     SurfaceReading::Part part{};                     ///< of the reading's box
+    const windrow::Wind* outer = nullptr;            ///< the wind around; null: the ambient one
 };
 
 /// What a frame asks to be read: a place, and points.

@@ -2,6 +2,7 @@
 
 #include "fluid/core/message.h"
 #include "fluid/vulkan/wind_state.h"
+#include "fluid/wind_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,9 @@
 
 namespace windrow::vulkan {
 
-Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient)
-    : core(config, ambient, cells), cells(core, read_backs, std::move(air)), settings(how) {
+Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient,
+                   std::shared_ptr<const windrow::Wind> outer)
+    : core(config, ambient, cells, std::move(outer)), cells(core, read_backs, std::move(air)), settings(how) {
     core.start();
     this->cells.when_shifted = [this](const OriginShift& shift) {
         read_backs.shift_origin(shift);
@@ -65,10 +67,12 @@ Reads reads_of(const Config& config, const Settings& settings) {
     return reads;
 }
 
-Result<void> check(const Config& config, const Settings& settings) {
+Result<void> check(const Config& config, const Settings& settings, const windrow::Wind* outer) {
     detail::Reasons reasons;
     if (auto valid = validate(config); !valid)
         reasons.add(valid.error());
+    else if (outer != nullptr)
+        detail::check_within(reasons, config, *outer);
     if (config.rows && settings.queries == ReadBack::box && settings.read_cells.y != config.cells.y)
         reasons.add("read_cells has ", settings.read_cells.y, " rows of a box whose rows differ: give all ", config.cells.y, ".");
     if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
@@ -77,43 +81,60 @@ Result<void> check(const Config& config, const Settings& settings) {
     return reasons.outcome();
 }
 
-Air::Settings air_settings(const Config& config, const Settings& settings) {
+Air::Settings air_settings(const Config& config, const Settings& settings, const windrow::Wind* outer) {
     return {.texel = settings.texel,
             .textures = settings.textures,
             .gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile, // detail needs the tile alone
             .reads = reads_of(config, settings),
             .exported = settings.export_textures,
-            .obstacles = settings.obstacles};
+            .obstacles = settings.obstacles,
+            .outer = outer != nullptr ? &outer->state().cells : nullptr};
 }
 
 } // namespace
 
-Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings) {
+Result<RequiredBytes> required_bytes(const Host& host, const Config& wanted, const Settings& settings,
+                                     const windrow::Wind* outer) {
     return windrow::detail::where_memory_lasts([&]() -> Result<RequiredBytes> {
-        if (auto checked = check(config, settings); !checked)
+        const Config config = outer != nullptr ? windrow::detail::config_within(wanted, *outer) : wanted;
+        if (auto checked = check(wanted, settings, outer); !checked)
             return checked.failure();
         auto device = Device::create(host);
         if (!device)
             return device.failure();
-        const auto measured = Air::measure(*std::move(device), config, air_settings(config, settings));
+        const auto measured = Air::measure(*std::move(device), config, air_settings(config, settings, outer));
         if (!measured)
             return measured.failure();
         return RequiredBytes{.memory = measured->given, .reserved = measured->taken};
     });
 }
 
-Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
+Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings,
+                          std::shared_ptr<const windrow::Wind> outer) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
-        if (auto checked = check(config, settings); !checked)
+        if (auto checked = check(config, settings, outer.get()); !checked)
+            return checked.failure();
+        return make(host, config, settings, std::move(outer));
+    });
+}
+
+// `outer` has been checked.
+Result<Wind> Wind::make(const Host& host, const Config& wanted, const Settings& settings,
+                        std::shared_ptr<const windrow::Wind> outer) {
+    return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
+        const Config config = outer ? windrow::detail::config_within(wanted, *outer) : wanted;
+        if (auto checked = check(config, settings, nullptr); !checked)
             return checked.failure();
         const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);
         auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
             return ambient.failure();
-        auto air = Air::create(host, config, air_settings(config, settings));
+        if (outer)
+            ambient->set_phase(outer->ambient_wind().phase());
+        auto air = Air::create(host, config, air_settings(config, settings, outer.get()));
         if (!air)
             return air.failure();
-        auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
+        auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient, std::move(outer));
         Air& cells = *state->cells.air;
         state->read_backs.make(cells, settings.frames_in_flight, state->frame_now());
         if (settings.timestamps) {
@@ -246,7 +267,8 @@ std::optional<WindView> view_of(const Wind::State& state, std::span<const glm::v
     const RecordedFrame* const read = state.read_backs.frame();
     if (read == nullptr)
         return std::nullopt;
-    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, cells, Simd::best, shown);
+    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, cells, Simd::best, shown,
+                    {state.core.outer.get(), false});
 }
 
 template <class Value>
@@ -355,6 +377,8 @@ glm::vec3 Wind::velocity(glm::dvec3 position) const {
         return view->velocity(position);
     if (const auto halves = queried_halves())
         return halves->velocity(position);
+    if (const auto& outer = state_->core.outer)
+        return outer->velocity(position);
     return ambient_wind().velocity(position);
 }
 

@@ -94,7 +94,8 @@ struct RequiredBytes {
     std::uint64_t memory = 0, reserved = 0;
 };
 [[nodiscard]] WINDROW_API Result<RequiredBytes> required_bytes(const Host& host, const Config& config,
-                                                               const Settings& settings = {});
+                                                               const Settings& settings = {},
+                                                               const windrow::Wind* outer = nullptr);
 
 /// A texture whose memory can be exported: for vkGetMemoryFdKHR or vkGetMemoryWin32HandleKHR, which the host calls.
 struct ExportedImage {
@@ -112,7 +113,11 @@ class WINDROW_API Wind : public WindControl, public WindReader {
   public:
     /// Makes all buffers, images and pipelines. Rejects what `windrow::validate` rejects, a device that lacks something, and a
     /// box that it cannot hold, each with the reason. The host's device outlives the wind.
-    [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {});
+    /// `outer`: the wind around the box, on the CPU, as windrow::Wind::create takes it; null: none. The host calls its `advance`
+    /// before `record`, by the same frames. The host samples it for each tick, and uploads 16 bytes for each cell of the box and its
+    /// halo: 450 KiB of the default window. No dispatch more.
+    [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {},
+                                             std::shared_ptr<const windrow::Wind> outer = {});
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
     /// commands alone. Advance::last is of the last tick that was read back, frames_in_flight frames ago; cells that were
@@ -144,7 +149,9 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// A wind that continues from a snapshot of this class, with the same bits, or of the CPU. Rejects what windrow::Wind::load
     /// rejects, and what `create` rejects of its config. The cells travel in the first recording, from host memory that is kept
     /// until its slot comes again. Air that is about to sleep may fall asleep up to frames_in_flight ticks later than there.
-    [[nodiscard]] static Result<Wind> load(const Host& host, std::span<const std::byte> bytes, const Settings& settings = {});
+    /// `outer`: as windrow::Wind::load takes it. A wind that a device saved goes on there with the same bits.
+    [[nodiscard]] static Result<Wind> load(const Host& host, std::span<const std::byte> bytes, const Settings& settings = {},
+                                           std::shared_ptr<const windrow::Wind> outer = {});
 
     // --- For shaders: shaders/coupling/windrow_wind.glsl -------------------------------------------------------------------
     /// Of the frame last recorded, and of the one before; after the first recording. Before it they hold nothing, in no layout.
@@ -220,6 +227,8 @@ class WINDROW_API Wind : public WindControl, public WindReader {
 
   private:
     explicit Wind(std::unique_ptr<State> state);
+    [[nodiscard]] static Result<Wind> make(const Host& host, const Config& config, const Settings& settings,
+                                           std::shared_ptr<const windrow::Wind> outer);
     [[nodiscard]] Result<WindView> read_view() const override;
     [[nodiscard]] Result<WindView> read_previous_view() const override;
     windrow::detail::Owned<State> state_;

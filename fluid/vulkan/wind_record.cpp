@@ -91,7 +91,8 @@ RecordedFrame Wind::State::frame_now() const {
             .time = time,
             .tick = core.speed.tick(),
             .reading = cells.air->reading(),
-            .part = cells.air->sampled_part()};
+            .part = cells.air->sampled_part(),
+            .outer = core.outer.get()};
 }
 
 bool Wind::State::collect(int number) {

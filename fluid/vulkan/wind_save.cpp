@@ -21,7 +21,7 @@ void Wind::State::record_save(VkCommandBuffer commands) {
             return;
         }
         cells.materialise_gusts();
-        auto draft = draft_snapshot(core, cells.air->fresh(), surface);
+        auto draft = draft_snapshot(core, cells.air->fresh(), surface, level_state());
         save.emplace(WindSave{.slot = slot, .air = *std::move(air), .draft = std::move(draft), .shown = {}});
         if (core.frames)
             save->shown.emplace(core.frames->shown);
@@ -34,6 +34,17 @@ void Wind::State::record_save(VkCommandBuffer commands) {
     save_failed_ = false;
     if (save)
         cells.air->save(commands, save->air);
+}
+
+// A device keeps no pressure for a wind inside it: there is none.
+LevelState Wind::State::level_state() const {
+    LevelState level;
+    if (const cpu::OuterWind* const outer = cells.air->outer()) {
+        for (const glm::vec4& cell : outer->values())
+            level.outer.insert(level.outer.end(), {cell.x, cell.y, cell.z, cell.w});
+        level.outer_origin = outer->origin();
+    }
+    return level;
 }
 
 Result<std::vector<std::byte>> Wind::State::saved() {
@@ -130,18 +141,21 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
     core.place.window.rows = core.rows.get();
     core.obstacles.set_rows(core.rows.get());
     cells.continue_from(*std::move(air));
+    if (!from.level.outer.empty())
+        cells.air->restore_outer(from.level.outer, from.level.outer_origin);
     textures.written = 2; // by the first recording, before all else
     recorded.emplace(core.shown());
     recorded_before.emplace(core.frames ? core.frames->shown_before : core.shown());
     return {};
 }
 
-Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, const Settings& settings) {
+Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, const Settings& settings,
+                        std::shared_ptr<const windrow::Wind> outer) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
-        auto saved = windrow::Wind::load(bytes);
+        auto saved = windrow::Wind::load(bytes, {}, outer);
         if (!saved)
             return saved.failure();
-        auto wind = create(host, saved->config(), settings);
+        auto wind = make(host, saved->config(), settings, std::move(outer));
         if (!wind)
             return wind;
         if (auto taken = wind->state().continue_from(windrow::loaded(*saved)); !taken)

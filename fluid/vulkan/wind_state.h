@@ -30,7 +30,8 @@ struct WindSave {
 };
 
 struct WINDROW_HIDDEN Wind::State {
-    State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient);
+    State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient,
+          std::shared_ptr<const windrow::Wind> outer);
 
     WindCore core;
     DeviceCells cells; // before what is made from its device
@@ -66,6 +67,7 @@ struct WINDROW_HIDDEN Wind::State {
     [[nodiscard]] bool write_textures(VkCommandBuffer commands, bool reads);
 
     void record_save(VkCommandBuffer commands);
+    [[nodiscard]] LevelState level_state() const;
     /// What was recorded for this slot before is done.
     void note_done(int slot_done) {
         if (save && save->slot == slot_done)

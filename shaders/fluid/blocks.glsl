@@ -38,6 +38,7 @@
 #define WINDROW_MAY_REST 8388608    // nothing acts: it is found whether the air is still
 #define WINDROW_FIRST_TICK 16777216 // of its recording
 #define WINDROW_COUNTED 67108864    // the last pass of the tick before has found what `sources` else does, which is left out
+#define WINDROW_OUTER_TURNED 134217728 // the second of the outer wind's two fields is that of the start (outer.glsl)
 #define WINDROW_PLANS 33554432      // one sub-step is recorded: the first pass over cells derives the plan, no pass makes it
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.

@@ -62,6 +62,8 @@ void step_cell(ivec3 cell) {
     vec3 above = vec3(0.0f);
     if (record >= 0 && is_on(WINDROW_PROJECTS))
         slope -= closed_slopes(record, cell, above);
+    if (k_outer && is_on(WINDROW_PROJECTS))
+        slope += outer_gradient(cell);
     vec3 u = arrived[at].xyz - slope;
     float weight = 1.0f, kept = 0.0f;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
@@ -119,7 +121,7 @@ void step_cell(ivec3 cell) {
     if (is_on(WINDROW_MAY_REST) && !record_is(record, WINDROW_INSIDE)) {
         const vec3 around = record_is(record, WINDROW_ROOM)
                                 ? vec3(0.0f)
-                                : wind_at(cell, elapsed() + WINDROW_OF_PLAN.substep_duration, is_on(WINDROW_GUSTS));
+                                : around_at(cell, end_of_substep(), wind_at(cell, end_of_substep(), is_on(WINDROW_GUSTS)));
         atomicMax(group_apart, floatBitsToUint(largest_component(u - around)));
     }
 }

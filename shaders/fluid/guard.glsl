@@ -5,7 +5,7 @@ bool broken(vec4 u) { return windrow_not_finite(u.x) || windrow_not_finite(u.y) 
 
 // `elapsed`: [s] from the tick's start to the air's time.
 void repair(ivec3 cell, int at, float elapsed) {
-    velocity[now(at)] = velocity[ago(at)] = vec4(wind_at(cell, elapsed, is_on(WINDROW_GUSTS)), 0.0f);
+    velocity[now(at)] = velocity[ago(at)] = vec4(around_at(cell, elapsed, wind_at(cell, elapsed, is_on(WINDROW_GUSTS))), 0.0f);
     history[at] = vec4(0.0f);
     atomicAdd(control.nonfinite_cells, 1u);
 }

@@ -49,7 +49,9 @@ void main() {
     vec4 value = vec4(0.0f);
     if (!(height > 0.0f && height < box_size().y)) {
         if (push.value == WINDROW_PLACE_AMBIENT)
-            value.xyz = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
+            value.xyz = around_at(cell, 0.0f, wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)));
+        else if (push.field != WINDROW_LIFT_HISTORY && push.field != WINDROW_LIFT_SOURCE_FLOW)
+            value.xyz = around_at(cell, 0.0f, vec3(0.0f));
         arrived[at] = value;
         return;
     }

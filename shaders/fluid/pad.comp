@@ -3,7 +3,8 @@
 //   R = ambient + g (carried - ambient) - s q + change at departure      V = (1 + s) u - s u_old
 //
 // A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind. With
-// gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile.
+// gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile. In an outer wind
+// what is beyond open boundaries is that (outer.glsl).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 10
@@ -80,7 +81,7 @@ struct Departing {
 vec3 relaxed(vec3 carried, ivec3 cell, int record) {
     if (!is_on(WINDROW_RELAXES))
         return carried;
-    const vec3 around = record_is(record, WINDROW_ROOM) ? vec3(0.0f) : solved_ambient(cell);
+    const vec3 around = record_is(record, WINDROW_ROOM) ? vec3(0.0f) : around_at(cell, elapsed(), solved_ambient(cell));
     return around + (1.0f / (1.0f + WINDROW_OF_PLAN.substep_duration / tick.relaxation_time)) * (carried - around);
 }
 
@@ -138,8 +139,9 @@ void main() {
     if (is_on(WINDROW_GUSTS))
         padded[wind_from] = vec4(wind_at(slipped, elapsed(), true), bend_of_row(place.y, first.y, size.y));
     if (ambient) {
-        padded[at] = vec4(solved_ambient(here), 0.0f);
-        vec3 wind = wind_at(here, elapsed(), is_on(WINDROW_GUSTS));
+        const vec3 mean = solved_ambient(here);
+        padded[at] = vec4(k_outer ? outer_carried(here, mean) : mean, 0.0f);
+        vec3 wind = around_at(here, end_of_substep(), wind_at(here, elapsed(), is_on(WINDROW_GUSTS)));
         if (k_own_rows)
             wind.y *= row_scale(clamp(here.y, 0, tick.cells.y - 1));
         padded[trace_at] = vec4(wind, 0.0f);

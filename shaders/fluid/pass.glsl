@@ -97,10 +97,14 @@ bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 bool is_fresh() { return push.substep < 0; }
 int substep() { return max(push.substep, 0); }
 
+bool has_past() {
+    return !is_fresh() && !(push.substep == 0 && is_on(WINDROW_FRESH) &&
+                            !windrow_rehearses(WINDROW_OF_PLAN.cfl, WINDROW_OF_PLAN.substeps));
+}
+
 // What a sub-step takes from the one before it.
 WindrowPast past() {
-    if (is_fresh() ||
-        (push.substep == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(WINDROW_OF_PLAN.cfl, WINDROW_OF_PLAN.substeps)))
+    if (!has_past())
         return windrow_past(0.0f);
     return windrow_past(
         push.substep == 0 && !is_on(WINDROW_FRESH) ? WINDROW_OF_PLAN.substep_duration / WINDROW_OF_PLAN.previous_duration : 1.0f);
@@ -135,6 +139,10 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
 
 // What is solved for meets beyond open boundaries: still air while the gusts are prescribed.
 vec3 solved_ambient(ivec3 cell) { return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false); }
+
+#ifdef WINDROW_READS_TILE
+#include "fluid/outer.glsl"
+#endif
 
 float largest_component(vec3 u) {
     vec3 a = abs(u);

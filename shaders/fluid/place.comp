@@ -21,7 +21,9 @@ void main() {
     const int at = cell_index(cell);
     vec4 value = vec4(0.0f);
     if (push.value == WINDROW_PLACE_AMBIENT)
-        value.xyz = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
+        value.xyz = around_at(cell, 0.0f, wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)));
+    else if (push.value == WINDROW_PLACE_ZERO)
+        value.xyz = around_at(cell, 0.0f, vec3(0.0f));
     else if (push.value == WINDROW_PLACE_GIVEN)
         value = given[linear_index(cell)];
     else if (push.value == WINDROW_PLACE_NOW)

@@ -35,6 +35,8 @@ float load(ivec3 cell) {
         return rhs;
     }
     float rhs = 0.5f * differences(cell);
+    if (k_outer)
+        rhs += outer_right_side(cell);
     if (has_obstacles() && record < 0)
         rhs -= change_at(record);
     if (record >= 0) {

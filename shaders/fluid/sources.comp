@@ -114,7 +114,8 @@ void main() {
         }
         if (tick.exposes != 0 && is_exposed(cell, tick.shift)) {
             const bool ambient = tick.exposed_value == WINDROW_PLACE_AMBIENT;
-            place(at, tick.exposes, vec4(ambient ? wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)) : vec3(0.0f), 0.0f));
+            const vec3 wind = ambient ? wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)) : vec3(0.0f);
+            place(at, tick.exposes, vec4(around_at(cell, elapsed(), wind), 0.0f));
         }
         vec4 u = velocity[now(at)];
         if (is_on(WINDROW_KEEPS))

@@ -36,7 +36,7 @@ ivec3 surface_cell(int s) { return solid_cell(solid_words[solids.surface + 2 * s
 
 float right_hand_side(int record, ivec3 cell) {
     if (push.part == 0)
-        return closed_divergence(record, cell, 0.5f * differences(cell));
+        return closed_divergence(record, cell, 0.5f * differences(cell) + (k_outer ? outer_right_side(cell) : 0.0f));
     float rhs = is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT) ? -tick.cell_size * expansion[cell_index(cell)] : 0.0f;
     if (k_own_rows && is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT))
         return rhs - all_beyond(cell);

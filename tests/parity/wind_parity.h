@@ -87,12 +87,13 @@ class WindParity : public Gpu {
     };
 
     /// One frame in flight that is waited for, or `in_flight` that are not.
-    TwoWinds make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
-        auto cpu = windrow::Wind::create(config);
+    TwoWinds make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single},
+                  const std::shared_ptr<const windrow::Wind>& outer = {}) {
+        auto cpu = windrow::Wind::create(config, outer);
         settings.frames_in_flight = std::max(in_flight, 1);
         if (settings.queries == ReadBack::none)
             settings.queries = ReadBack::cells;
-        auto gpu = Wind::create(sharing_host(), config, settings);
+        auto gpu = Wind::create(sharing_host(), config, settings, outer);
         EXPECT_TRUE(cpu) << cpu.error();
         EXPECT_TRUE(gpu) << gpu.error();
         auto submitter = in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr;

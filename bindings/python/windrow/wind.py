@@ -285,25 +285,36 @@ class Wind:
         wind.velocity(leaf)
 
     One thread at a time may use a wind; other threads of Python run during its calls. `pool`: threads for its own loops; None: the
-    caller's alone.
+    caller's alone. `outer`: a larger wind around the box in place of the ambient one; advance it first in each frame. The config
+    then gives no mean wind, profile or gusts: they are those of `outer`.
     """
 
-    def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None) -> None:
+    def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None, outer: Wind | None = None) -> None:
         keep: list[Any] = []
         struct = (Config() if config is None else of_class("config", config, Config))._to_c(keep)
         if pool is not None:
             struct.parallel_for = of_class("pool", pool, ThreadPool)._loop
-        self._take(Handle(lambda out: library.windrow_wind_create(ctypes.byref(struct), out), "windrow_wind_destroy",
-                          *([pool._handle] if pool else [])))
+        around = None if outer is None else of_class("outer", outer, Wind)._handle
+        self._take(Handle(lambda out: library.windrow_wind_create(ctypes.byref(struct), out) if around is None else
+                          library.windrow_wind_create_inside(ctypes.byref(struct), around.pointer, out), "windrow_wind_destroy",
+                          *([pool._handle] if pool else []), around))
+        self._outer = outer
 
     @classmethod
-    def load(cls, saved: bytes, *, pool: ThreadPool | None = None) -> Wind:
-        """A wind that goes on from what `save` returned."""
+    def load(cls, saved: bytes, *, pool: ThreadPool | None = None, outer: Wind | None = None) -> Wind:
+        """A wind that goes on from what `save` returned. One that is inside another wind needs that, loaded before it, as `outer`."""
         loop, kept = loop_of(pool), data("saved", saved)
+        around = None if outer is None else of_class("outer", outer, Wind)._handle
         wind = cls.__new__(cls)
-        wind._take(Handle(lambda out: library.windrow_wind_load(kept, len(kept), loop, out), "windrow_wind_destroy",
-                          *([pool._handle] if pool else [])))
+        wind._take(Handle(lambda out: library.windrow_wind_load(kept, len(kept), loop, out) if around is None else
+                          library.windrow_wind_load_inside(kept, len(kept), loop, around.pointer, out), "windrow_wind_destroy",
+                          *([pool._handle] if pool else []), around))
+        wind._outer = outer
         return wind
+
+    @classmethod
+    def _again(cls, saved: bytes, outer: Wind | None) -> Wind:
+        return cls.load(saved, outer=outer)
 
     @classmethod
     def _of(cls, pointer: int, owner: Handle) -> Wind:
@@ -324,14 +335,15 @@ class Wind:
         check(library.windrow_query_init(self._query_at, ctypes.sizeof(self._query)))
         self._velocities_at = ctypes.c_void_p.from_buffer(self._query, _c.Query.velocities.offset)
         self._copies = False
+        self._outer: Wind | None = None
         self.motors = Motors(handle)
         self.obstacles = Obstacles(handle)
         self.drag = DragField(handle)
         self._cells = own_order(self.box.cells)  # for good
 
     def __reduce__(self) -> Any:
-        """Copies and pickles are winds of their own, which go on from here, without a pool and a log."""
-        return (Wind.load, (self.save(),))
+        """Copies and pickles are winds of their own, which go on from here, without a pool and a log. With the wind around them."""
+        return (Wind.load, (self.save(),)) if self._outer is None else (Wind._again, (self.save(), self._outer))
 
     def __repr__(self) -> str:
         box = self.box

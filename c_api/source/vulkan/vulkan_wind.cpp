@@ -125,6 +125,23 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_create(const windrow_vulkan_ho
         });
     });
 }
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_create_inside(const windrow_vulkan_host* host, const windrow_config* config,
+                                                                const windrow_vulkan_settings* settings,
+                                                                const windrow_wind* outer, windrow_wind** wind) {
+    if (wind != nullptr)
+        *wind = nullptr;
+    return call({{host, "host"}, {config, "config"}, {outer, "outer"}, {wind, "wind"}}, [&] {
+        return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
+            return with(host, [&](const vulkan::Host& device) {
+                return with(config, [&](const Config& wanted) {
+                    return with_settings(settings, [&](const vulkan::Settings& how) {
+                        return make_wind(wind, vulkan::Wind::create(device, wanted, how, around));
+                    });
+                });
+            });
+        });
+    });
+}
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
                                                        const windrow_vulkan_settings* settings, windrow_wind** wind) {
     if (wind != nullptr)
@@ -134,6 +151,22 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host
             return with_settings(settings, [&](const vulkan::Settings& how) {
                 const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
                 return make_wind(wind, vulkan::Wind::load(device, saved, how));
+            });
+        });
+    });
+}
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_load_inside(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+                                                              const windrow_vulkan_settings* settings, const windrow_wind* outer,
+                                                              windrow_wind** wind) {
+    if (wind != nullptr)
+        *wind = nullptr;
+    return call({{host, "host"}, {bytes, "bytes"}, {outer, "outer"}, {wind, "wind"}}, [&] {
+        return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
+            return with(host, [&](const vulkan::Host& device) {
+                return with_settings(settings, [&](const vulkan::Settings& how) {
+                    const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
+                    return make_wind(wind, vulkan::Wind::load(device, saved, how, around));
+                });
             });
         });
     });
