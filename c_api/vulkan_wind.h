@@ -70,14 +70,14 @@ WINDROW_C_API windrow_result windrow_vulkan_wind_create(const windrow_vulkan_hos
 /* Inside a wind on the CPU: windrow_wind_create_inside. The host samples `outer` for each tick, and uploads 16 bytes for each cell of
    the box and its halo. */
 WINDROW_C_API windrow_result windrow_vulkan_wind_create_inside(const windrow_vulkan_host* host, const windrow_config* config,
-                                                               const windrow_vulkan_settings* settings,
-                                                               const windrow_wind* outer, windrow_wind** wind);
+                                                               const windrow_vulkan_settings* settings, const windrow_wind* outer,
+                                                               windrow_wind** wind);
 /* From bytes of either backend. */
 WINDROW_C_API windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
                                                       const windrow_vulkan_settings* settings, windrow_wind** wind);
 WINDROW_C_API windrow_result windrow_vulkan_wind_load_inside(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
-                                                             const windrow_vulkan_settings* settings,
-                                                             const windrow_wind* outer, windrow_wind** wind);
+                                                             const windrow_vulkan_settings* settings, const windrow_wind* outer,
+                                                             windrow_wind** wind);
 /* The state of the last recording with frame.save; WINDROW_NOT_READY until its slot is done. */
 WINDROW_C_API windrow_result windrow_vulkan_wind_saved(windrow_wind* wind, windrow_bytes** bytes);
 

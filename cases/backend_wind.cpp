@@ -24,8 +24,7 @@ class CpuWind final : public BackendWind {
 } // namespace
 
 Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, [[maybe_unused]] const Backend& backend,
-                                                         [[maybe_unused]] BackendClock clock,
-                                                         std::shared_ptr<const Wind> outer) {
+                                                         [[maybe_unused]] BackendClock clock, std::shared_ptr<const Wind> outer) {
 #if WINDROW_WITH_VULKAN
     if (!backend.is_cpu())
         return DeviceWind::create(config, backend, clock, outer);

@@ -12,9 +12,8 @@ namespace windrow::cases {
 class DeviceWind final : public BackendWind {
   public:
     /// `backend` has a device.
-    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend,
-                                                                     BackendClock clock,
-                                                                     const std::shared_ptr<const Wind>& outer = {});
+    [[nodiscard]] static Result<std::unique_ptr<BackendWind>>
+    create(const Config& config, const Backend& backend, BackendClock clock, const std::shared_ptr<const Wind>& outer = {});
 
     /// times_ms.total is the time from the recording to the end on the device; the stages are by the device's clock, 0 without.
     Diagnostics step(double dt) override { return run(dt); }

@@ -30,6 +30,10 @@ Wind::State::State(const Config& config, Workspace workspace, const AmbientWind&
     core.start();
 }
 
+std::unique_ptr<OuterAir> outer_air_of(const Box& box, const Wind& outer) {
+    return std::make_unique<cpu::OuterWind>(box, outer.state().cells);
+}
+
 namespace detail {
 
 Config config_within(const Config& config, const Wind& outer) {
@@ -37,7 +41,7 @@ Config config_within(const Config& config, const Wind& outer) {
     within.ambient = outer.config().ambient;
     within.profile = outer.config().profile;
     within.gusts = outer.config().gusts;
-    within.gusts.tile = outer.ambient_wind().tile();
+    within.gusts.tile = outer.ambient_wind().tile() ? outer.ambient_wind().tile() : config.gusts.tile; // for detail alone
     return within;
 }
 
@@ -108,10 +112,6 @@ Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer)
             ambient->set_phase(outer->ambient_wind().phase());
         return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient, std::move(outer)));
     });
-}
-
-const std::shared_ptr<const Wind>& Wind::outer() const {
-    return state_->core.outer;
 }
 
 Advance Wind::advance(double dt) {

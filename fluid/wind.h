@@ -50,8 +50,6 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// box that is not inside that of `outer` where a boundary is open, and Scheme::stable_fluids. `outer` keeps its pressure from
     /// now on: eight bytes a cell.
     [[nodiscard]] static Result<Wind> create(const Config& config, std::shared_ptr<const Wind> outer);
-    /// Null: none, the ambient wind is around the box.
-    [[nodiscard]] const std::shared_ptr<const Wind>& outer() const;
 
     /// Advances the air by dt [s]. Steps may have any length and may differ: no sequence creates energy, and the order stays 2 where
     /// a step is at most twice as long as its neighbours (1 beyond).

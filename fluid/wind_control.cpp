@@ -69,6 +69,10 @@ const Config& WindControl::config() const {
     return core().config;
 }
 
+const std::shared_ptr<const Wind>& WindControl::outer() const {
+    return core().outer;
+}
+
 WindReader::~WindReader() = default;
 
 Result<std::span<const glm::vec4>> WindReader::cells() const {

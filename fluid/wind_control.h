@@ -21,12 +21,14 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <utility>
 
 namespace windrow {
 
 class EventLog;
+class Wind;
 class WindCore;
 
 class WINDROW_API WindControl {
@@ -84,6 +86,8 @@ class WINDROW_API WindControl {
 
     /// As it is now: calls above change it.
     [[nodiscard]] const Config& config() const;
+    /// The wind around the box, on the CPU; null: none, the ambient wind is around it.
+    [[nodiscard]] const std::shared_ptr<const Wind>& outer() const;
 
   protected:
     explicit WindControl(WindCore& core) : core_(&core) {}

@@ -396,8 +396,7 @@ std::size_t bytes_beside(const WindCore& core) {
 
 } // namespace
 
-SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface,
-                             const LevelState& level) {
+SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface, const LevelState& level) {
     const std::size_t cells = core.box().cell_count();
     DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
     writer(saved_config(core));

@@ -24,7 +24,7 @@ void read_level(JsonObject& inside, std::vector<SceneLevel>& levels, int most) {
         {"outer",
          "A wind around the box, larger and coarser, in place of the ambient wind: what stands and blows outside of the box "
          "comes in. The mean wind, its profile and gusts, the boundaries, the ground and all settings that it has not are "
-         "those of air. On the CPU. Default none."});
+         "those of air. It runs on the CPU, also where the box inside it is on a device. Default none."});
     SceneLevel level;
     const std::size_t faults_before = outer.log().faults();
     read_settings(outer, level, [](const auto&, const auto&) { return false; });

@@ -122,7 +122,7 @@ Result<void> SceneAir::begin(WindControl& wind) {
     if (!scene_->outer.empty() && !levels_played_)
         return Error{message(scene_->file.string(),
                              ": $.air.outer is a wind around the box, which is not played here: use windrow "
-                             "run on the CPU, or remove it.")};
+                             "run or windrow-draw, or remove it.")};
     state_ = state_of_begin();
     if (auto placed = place_box(wind, 0.0); !placed)
         return placed;

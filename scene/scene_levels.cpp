@@ -65,12 +65,34 @@ Result<SceneLevels> SceneLevels::create(const Scene& scene, const ParallelFor& t
     return made;
 }
 
+namespace {
+
+// A frame may take more ticks than a call does.
+void advance(Wind& wind, double dt) {
+    const Ticks& ticks = wind.config().ticks;
+    const double most = ticks.max_per_call / ticks.hz;
+    for (; dt > most; dt -= most)
+        (void)wind.advance(most);
+    (void)wind.advance(dt);
+}
+
+} // namespace
+
 Result<void> SceneLevels::advance_to(double end) {
     for (Level& level : levels_) {
         const double begin = level.air.time();
         if (auto placed = level.air.advance_to(*level.wind, end); !placed)
             return placed;
-        (void)level.wind->advance(end - begin);
+        advance(*level.wind, end - begin);
+    }
+    return {};
+}
+
+Result<void> SceneLevels::pass(double dt) {
+    for (Level& level : levels_) {
+        if (auto held = level.air.hold(*level.wind); !held)
+            return held;
+        advance(*level.wind, dt);
     }
     return {};
 }

@@ -31,6 +31,9 @@ class SceneLevels {
     /// All that the scene has in the air is placed in each level, and each advances to `end` [s]. To be called before the same of the
     /// inner air.
     Result<void> advance_to(double end);
+    /// Air before the first frame: `dt` [s] with what acts then, and nothing moves. To be called before each step of
+    /// SceneAir::warm_up.
+    Result<void> pass(double dt);
 
     /// The wind around the scene's own; null: none.
     [[nodiscard]] std::shared_ptr<const Wind> nearest() const { return levels_.empty() ? nullptr : levels_.back().wind; }

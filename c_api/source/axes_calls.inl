@@ -177,6 +177,12 @@ WINDROW_EXPORT windrow_result windrow_wind_create(const windrow_config* config, 
         return own_windrow_wind_create(config, wind);
     return turned<Same>(own_windrow_wind_create, in_array<Whole>(config, 1), same(wind));
 }
+WINDROW_EXPORT windrow_result windrow_wind_create_inside(const windrow_config* config, const windrow_wind* outer, windrow_wind**
+    wind) {
+    if (!host_axes.turned) [[likely]]
+        return own_windrow_wind_create_inside(config, outer, wind);
+    return turned<Same>(own_windrow_wind_create_inside, in_array<Whole>(config, 1), same(outer), same(wind));
+}
 WINDROW_EXPORT windrow_result windrow_wind_config(windrow_wind* wind, windrow_config* config) {
     if (!host_axes.turned) [[likely]]
         return own_windrow_wind_config(wind, config);

@@ -146,8 +146,12 @@ windrow_result own_windrow_vulkan_sampler_info(const windrow_boundaries* boundar
 windrow_result own_windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size);
 windrow_result own_windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config, const
     windrow_vulkan_settings* settings, windrow_wind** wind);
+windrow_result own_windrow_vulkan_wind_create_inside(const windrow_vulkan_host* host, const windrow_config* config, const
+    windrow_vulkan_settings* settings, const windrow_wind* outer, windrow_wind** wind);
 windrow_result own_windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size, const
     windrow_vulkan_settings* settings, windrow_wind** wind);
+windrow_result own_windrow_vulkan_wind_load_inside(const windrow_vulkan_host* host, const void* bytes, uint64_t size, const
+    windrow_vulkan_settings* settings, const windrow_wind* outer, windrow_wind** wind);
 windrow_result own_windrow_vulkan_wind_record(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
     windrow_advance* advance, windrow_diagnostics* last);
 windrow_result own_windrow_vulkan_wind_record_step(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
@@ -172,6 +176,7 @@ windrow_vec3 own_windrow_wind_ambient(const windrow_wind* wind);
 windrow_result own_windrow_wind_box(const windrow_wind* wind, windrow_box* box);
 windrow_result own_windrow_wind_config(windrow_wind* wind, windrow_config* config);
 windrow_result own_windrow_wind_create(const windrow_config* config, windrow_wind** wind);
+windrow_result own_windrow_wind_create_inside(const windrow_config* config, const windrow_wind* outer, windrow_wind** wind);
 windrow_result own_windrow_wind_debug_lines(const windrow_wind* wind, const windrow_debug_view* view, windrow_debug_draw draw,
     void* user);
 windrow_result own_windrow_wind_drag_force_on(const windrow_wind* wind, windrow_drag_id id, windrow_drag_force* force);

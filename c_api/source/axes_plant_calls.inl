@@ -344,12 +344,26 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_create(const windrow_vulkan_ho
     return turned<Same>(own_windrow_vulkan_wind_create, same(host), in_array<Whole>(config, 1), in_array<Whole>(settings, 1),
         same(wind));
 }
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_create_inside(const windrow_vulkan_host* host, const windrow_config* config,
+    const windrow_vulkan_settings* settings, const windrow_wind* outer, windrow_wind** wind) {
+    if (!host_axes.turned) [[likely]]
+        return own_windrow_vulkan_wind_create_inside(host, config, settings, outer, wind);
+    return turned<Same>(own_windrow_vulkan_wind_create_inside, same(host), in_array<Whole>(config, 1), in_array<Whole>(settings,
+        1), same(outer), same(wind));
+}
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host* host, const void* bytes, uint64_t size, const
     windrow_vulkan_settings* settings, windrow_wind** wind) {
     if (!host_axes.turned) [[likely]]
         return own_windrow_vulkan_wind_load(host, bytes, size, settings, wind);
     return turned<Same>(own_windrow_vulkan_wind_load, same(host), same(bytes), same(size), in_array<Whole>(settings, 1),
         same(wind));
+}
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_load_inside(const windrow_vulkan_host* host, const void* bytes, uint64_t size,
+    const windrow_vulkan_settings* settings, const windrow_wind* outer, windrow_wind** wind) {
+    if (!host_axes.turned) [[likely]]
+        return own_windrow_vulkan_wind_load_inside(host, bytes, size, settings, outer, wind);
+    return turned<Same>(own_windrow_vulkan_wind_load_inside, same(host), same(bytes), same(size), in_array<Whole>(settings, 1),
+        same(outer), same(wind));
 }
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_record(windrow_wind* wind, void* commands, const windrow_vulkan_frame* frame,
     windrow_advance* advance, windrow_diagnostics* last) {

@@ -53,9 +53,9 @@ struct windrow_wind {
     windrow::Wind* cpu = nullptr; ///< null: on a device
     /// The same, which winds inside this one keep alive.
     std::shared_ptr<const windrow::Wind> shared;
-    int motors_lost = 0;          ///< of which the host was warned
-    int filling_obstacles = 0;    ///< the same
-    mutable bool limit = false;   ///< the host was warned that Sampling::limit cuts the wind
+    int motors_lost = 0;        ///< of which the host was warned
+    int filling_obstacles = 0;  ///< the same
+    mutable bool limit = false; ///< the host was warned that Sampling::limit cuts the wind
 
     /// What the pointers of windrow_wind_config point to.
     struct ConfigStore {
@@ -89,11 +89,16 @@ struct WindOf final : windrow_wind {
     Air& air;
 };
 
+[[nodiscard]] inline std::span<const std::byte> saved_at(const void* bytes, std::uint64_t size) {
+    return {static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)};
+}
+
 /// Runs use(wind around), the wind on the CPU that a new one is inside of.
 template <class Use>
 [[nodiscard]] windrow_result with_outer(const windrow_wind* outer, const Use& use) {
     if (outer->cpu == nullptr)
-        return fail(WINDROW_UNSUPPORTED, "outer is a wind on a device: give one on the CPU, which winds on a device are inside of too.");
+        return fail(WINDROW_UNSUPPORTED,
+                    "outer is a wind on a device: give one on the CPU, which winds on a device are inside of too.");
     return use(outer->shared);
 }
 

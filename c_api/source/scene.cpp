@@ -22,7 +22,7 @@ using namespace windrow::c_api;
 
 struct windrow_scene {
     std::unique_ptr<const scene::Scene> scene; ///< stays where it is: the air refers to it
-    scene::SceneLevels levels;                ///< around the wind
+    scene::SceneLevels levels;                 ///< around the wind
     scene::SceneAir air;
     WindOf<Wind> wind;
     ParallelFor parallel_for{};
@@ -51,8 +51,8 @@ windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* para
     if (!wind)
         return done(wind);
     const scene::Scene& there = *scene;
-    auto made = std::unique_ptr<windrow_scene>(
-        new windrow_scene{std::move(scene), *std::move(levels), scene::SceneAir::within(there), WindOf<Wind>(*std::move(wind)), threads});
+    auto made = std::unique_ptr<windrow_scene>(new windrow_scene{
+        std::move(scene), *std::move(levels), scene::SceneAir::within(there), WindOf<Wind>(*std::move(wind)), threads});
     if (const auto begun = made->air.begin(made->wind.air); !begun)
         return done(begun);
     *out = made.release();
@@ -196,14 +196,18 @@ WINDROW_EXPORT windrow_result windrow_scene_save(const windrow_scene* scene, win
 }
 WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size) {
     return call({{scene, "scene"}, {bytes, "bytes"}}, [&]() -> windrow_result {
+        if (scene->wind.owned.use_count() > 2) // its own two; others would be around a wind that is gone
+            return fail(WINDROW_REJECTED,
+                        "a wind of the host is inside the scene's wind: destroy it before the scene goes back.");
         const auto parts = split_parts({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
         if (!parts)
             return done(parts);
         const auto clock = find_part(*parts, k_clock), air = find_part(*parts, k_wind);
         if (!clock || !air)
             return done(clock ? air : clock);
-        const bool has_levels = std::ranges::any_of(*parts, [](const auto& part) { return part.name == k_levels; });
-        const auto around = has_levels ? find_part(*parts, k_levels) : Result<std::span<const std::byte>>(std::span<const std::byte>{});
+        const bool has_levels = std::any_of(parts->begin(), parts->end(), [](const auto& part) { return part.name == k_levels; });
+        const auto around =
+            has_levels ? find_part(*parts, k_levels) : Result<std::span<const std::byte>>(std::span<const std::byte>{});
         auto levels = scene::SceneLevels::load(*scene->scene, scene->parallel_for, *around);
         if (!levels)
             return done(levels);

@@ -40,10 +40,9 @@ windrow_result lasted(windrow_wind& wind, const Diagnostics& report) {
 }
 
 windrow_result make_cpu_wind(windrow_wind** wind, Result<Wind> made) {
-    if (!made)
-        return done(made);
-    *wind = new WindOf<Wind>(*std::move(made));
-    return WINDROW_OK;
+    if (made)
+        *wind = new WindOf<Wind>(*std::move(made));
+    return done(made);
 }
 
 windrow_result lacks(const char* what) {
@@ -213,20 +212,16 @@ WINDROW_EXPORT windrow_result windrow_wind_load(const void* bytes, uint64_t size
                                                 windrow_wind** wind) {
     if (wind != nullptr)
         *wind = nullptr;
-    return call({{bytes, "bytes"}, {wind, "wind"}}, [&] {
-        return make_cpu_wind(
-            wind, Wind::load({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)}, loop_of(parallel_for)));
-    });
+    return call({{bytes, "bytes"}, {wind, "wind"}},
+                [&] { return make_cpu_wind(wind, Wind::load(saved_at(bytes, size), loop_of(parallel_for))); });
 }
-WINDROW_EXPORT windrow_result windrow_wind_load_inside(const void* bytes, uint64_t size,
-                                                       const windrow_parallel_for* parallel_for, const windrow_wind* outer,
-                                                       windrow_wind** wind) {
+WINDROW_EXPORT windrow_result windrow_wind_load_inside(const void* bytes, uint64_t size, const windrow_parallel_for* parallel_for,
+                                                       const windrow_wind* outer, windrow_wind** wind) {
     if (wind != nullptr)
         *wind = nullptr;
     return call({{bytes, "bytes"}, {outer, "outer"}, {wind, "wind"}}, [&] {
         return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
-            const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
-            return make_cpu_wind(wind, Wind::load(saved, loop_of(parallel_for), around));
+            return make_cpu_wind(wind, Wind::load(saved_at(bytes, size), loop_of(parallel_for), around));
         });
     });
 }

@@ -16,7 +16,7 @@
 // Based on: Davies 1976, Quarterly Journal 102; Skamarock & Klemp 2008, Journal of Computational Physics 227 (one-way nesting).
 #pragma once
 
-#include "fluid/api.h"
+#include "fluid/core/outer_air.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/sources.h"
 #include "fluid/parallel.h"
@@ -31,21 +31,18 @@ namespace windrow::cpu {
 
 class Cells;
 
-class WINDROW_INTERNAL OuterWind {
+class OuterWind final : public OuterAir {
   public:
     /// Of a box inside the cells of the outer wind, which outlive it and keep their pressure from now on.
     OuterWind(const Box& box, Cells& outer);
 
-    /// What it holds becomes the outer wind of now, in a window.
-    void renew(const Window& window, const ParallelFor& parallel_for);
-    /// Whether it holds values in that window.
-    [[nodiscard]] bool holds(const Window& window) const { return holds_ && origin_ == window.origin_cells; }
-    /// The box has moved: cells that stay keep their values.
-    void move_to(const Window& window, const ParallelFor& parallel_for);
+    void renew(const Window& window, const ParallelFor& parallel_for) override;
+    [[nodiscard]] bool holds(const Window& window) const override { return holds_ && origin_ == window.origin_cells; }
+    void move_to(const Window& window, const ParallelFor& parallel_for) override;
     /// A step of `parts` sub-steps begins, which goes `way` of the way to the outer wind of now.
-    void begin_step(const Window& window, float way, const ParallelFor& parallel_for);
+    void begin_step(const Window& window, float way, const ParallelFor& parallel_for) override;
     void begin_part(int part, int parts, const ParallelFor& parallel_for);
-    void end_step();
+    void end_step() override;
 
     /// [m/s] D of a cell at the start of the sub-step; between steps, of now.
     [[nodiscard]] glm::vec4 at(int i, int j, int k) const;
@@ -80,12 +77,11 @@ class WINDROW_INTERNAL OuterWind {
 
     [[nodiscard]] std::size_t memory_bytes() const;
     /// For snapshots: the values of now, and the box that they are of.
-    [[nodiscard]] std::span<const glm::vec4> values() const { return now_; }
-    /// D and p that the step ends with, from begin_step to end_step.
-    [[nodiscard]] std::span<const glm::vec4> values_at_end() const { return end_; }
-    [[nodiscard]] CellIndex origin() const { return origin_; }
-    void restore(std::span<const float> values, CellIndex origin);
-    void shift_origin(CellIndex by) { origin_ += by; }
+    [[nodiscard]] std::span<const glm::vec4> values() const override { return now_; }
+    [[nodiscard]] std::span<const glm::vec4> values_at_end() const override { return end_; }
+    [[nodiscard]] CellIndex origin() const override { return origin_; }
+    void restore(std::span<const float> values, CellIndex origin) override;
+    void shift_origin(CellIndex by) override { origin_ += by; }
 
   private:
     /// A padded cell along one axis, between two outer centres.
@@ -103,10 +99,10 @@ class WINDROW_INTERNAL OuterWind {
     Box box_;
     Cells& outer_;
     CellIndex origin_{0};
-    bool holds_ = false;                         ///< any outer wind yet
-    float factor_ = 0.0f;                        ///< c of the sub-step
-    Buffer<glm::vec4> now_, end_, from_, to_;    ///< D and p of padded cells
-    const Buffer<glm::vec4>* start_ = &now_;     ///< of the sub-step
+    bool holds_ = false;                      ///< any outer wind yet
+    float factor_ = 0.0f;                     ///< c of the sub-step
+    Buffer<glm::vec4> now_, end_, from_, to_; ///< D and p of padded cells
+    const Buffer<glm::vec4>* start_ = &now_;  ///< of the sub-step
     const Buffer<glm::vec4>* next_ = &now_;
     Buffer<glm::vec4> carried_, traced_;
     std::array<std::vector<Place>, 3> places_;

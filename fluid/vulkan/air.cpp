@@ -122,7 +122,7 @@ Result<void> Air::make() {
         layer_written_.reserve(layer_wanted_.capacity());
     }
     if (settings_.outer != nullptr)
-        outer_.emplace(box(), *settings_.outer);
+        outer_ = outer_air_of(box(), *settings_.outer);
     auto passes = passes_for(settings_.obstacles);
     if (!passes)
         return passes.failure();
@@ -146,7 +146,7 @@ Result<Passes> Air::passes_for(bool obstacles) {
                                   .obstacles = obstacles,
                                   .rough = rough(),
                                   .rows = rows_table_ != nullptr,
-                                  .outer = outer_.has_value(),
+                                  .outer = outer_ != nullptr,
                                   .samples = obstacles || reading_maker_.law().acts()});
     if (passes)
         passes->set_tables(*tables_);
@@ -189,7 +189,8 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
         bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) |
-        bit(step.may_rest, WINDROW_MAY_REST) | bit(outer_turned_, WINDROW_OUTER_TURNED) | bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
+        bit(step.may_rest, WINDROW_MAY_REST) | bit(outer_turned_, WINDROW_OUTER_TURNED) |
+        bit(holds_drag_ && step.drag.any(), WINDROW_DRAG) | obstacle_flags();
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;

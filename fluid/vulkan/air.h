@@ -21,8 +21,8 @@
 
 #include "fluid/api.h"
 #include "fluid/core/cell_storage.h"
+#include "fluid/core/outer_air.h"
 #include "fluid/core/snapshot.h"
-#include "fluid/cpu/outer_wind.h"
 #include "fluid/solids/loads.h"
 #include "fluid/solids/reading.h"
 #include "fluid/solids/surface_layer.h"
@@ -91,7 +91,7 @@ class Air {
         Reads reads{};
         VkExternalMemoryHandleTypeFlagBits exported{}; ///< textures; 0: not
         bool obstacles = false;                        ///< the passes are made for them from the start
-        cpu::Cells* outer = nullptr;                   ///< of the wind around the box, which outlive it; null: none
+        const windrow::Wind* outer = nullptr;          ///< around the box, which outlives it; null: none
     };
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
     /// With calls given, as a test does that has one fail.
@@ -137,8 +137,8 @@ class Air {
     }
     void make_room_to_restore();
     /// What is around the box between ticks; null: the ambient wind.
-    [[nodiscard]] const cpu::OuterWind* outer() const { return outer_ ? &*outer_ : nullptr; }
-    /// It is this, as OuterWind::restore takes it.
+    [[nodiscard]] const OuterAir* outer() const { return outer_.get(); }
+    /// It is this, as OuterAir::restore takes it.
     void restore_outer(std::span<const float> values, CellIndex origin);
     [[nodiscard]] bool fresh() const { return fresh_; }
     /// Faces of obstacles whose history `save` copies.
@@ -344,7 +344,7 @@ class Air {
     std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
     std::vector<float> layer_wanted_;            ///< scratch
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
-    std::optional<cpu::OuterWind> outer_;        ///< none: the ambient wind is around the box
+    std::unique_ptr<OuterAir> outer_;            ///< null: the ambient wind is around the box
     bool outer_stale_ = true;                    ///< the device does not hold its values
     bool outer_turned_ = false;                  ///< the second of the two fields holds those of now
     std::vector<float> drag_words_;              ///< scratch, as `drag_copies_`

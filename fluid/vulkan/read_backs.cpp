@@ -62,8 +62,7 @@ glm::vec3 HalfView::velocity(glm::dvec3 position) const {
     auto place = windrow::detail::place_in(box, place_.window(), place_.blend_zone(), place_.ambient(), position);
     if (place_.around().outer != nullptr && place.fraction < 1.0f)
         place.ambient = place_.around().outer->velocity(position);
-    return windrow::detail::wind_at(
-        place, [&](int i, int j, int k) { return glm::vec3(vector_of(cells_[box.index(i, j, k)])); });
+    return windrow::detail::wind_at(place, [&](int i, int j, int k) { return glm::vec3(vector_of(cells_[box.index(i, j, k)])); });
 }
 
 void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {

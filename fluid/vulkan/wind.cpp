@@ -2,7 +2,6 @@
 
 #include "fluid/core/message.h"
 #include "fluid/vulkan/wind_state.h"
-#include "fluid/wind_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +87,7 @@ Air::Settings air_settings(const Config& config, const Settings& settings, const
             .reads = reads_of(config, settings),
             .exported = settings.export_textures,
             .obstacles = settings.obstacles,
-            .outer = outer != nullptr ? &outer->state().cells : nullptr};
+            .outer = outer};
 }
 
 } // namespace

@@ -93,9 +93,8 @@ struct Frame {
 struct RequiredBytes {
     std::uint64_t memory = 0, reserved = 0;
 };
-[[nodiscard]] WINDROW_API Result<RequiredBytes> required_bytes(const Host& host, const Config& config,
-                                                               const Settings& settings = {},
-                                                               const windrow::Wind* outer = nullptr);
+[[nodiscard]] WINDROW_API Result<RequiredBytes>
+required_bytes(const Host& host, const Config& config, const Settings& settings = {}, const windrow::Wind* outer = nullptr);
 
 /// A texture whose memory can be exported: for vkGetMemoryFdKHR or vkGetMemoryWin32HandleKHR, which the host calls.
 struct ExportedImage {

@@ -39,7 +39,7 @@ void Wind::State::record_save(VkCommandBuffer commands) {
 // A device keeps no pressure for a wind inside it: there is none.
 LevelState Wind::State::level_state() const {
     LevelState level;
-    if (const cpu::OuterWind* const outer = cells.air->outer()) {
+    if (const OuterAir* const outer = cells.air->outer()) {
         for (const glm::vec4& cell : outer->values())
             level.outer.insert(level.outer.end(), {cell.x, cell.y, cell.z, cell.w});
         level.outer_origin = outer->origin();

@@ -29,17 +29,17 @@
 #define WINDROW_ONE_PASS                                                                                                         \
     16384                    // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
 #define WINDROW_LIMITS 65536 // limit.comp is recorded: speeds may be cut
-#define WINDROW_OBSTACLES 131072    // in the box
-#define WINDROW_ROOMS 262144        // some of the air is in closed rooms
-#define WINDROW_THIN 524288         // a read may pass through a body
-#define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
-#define WINDROW_ROUGH 2097152       // the ground is rough
-#define WINDROW_DRAG 4194304        // deposits of drag are in the box
-#define WINDROW_MAY_REST 8388608    // nothing acts: it is found whether the air is still
-#define WINDROW_FIRST_TICK 16777216 // of its recording
-#define WINDROW_COUNTED 67108864    // the last pass of the tick before has found what `sources` else does, which is left out
+#define WINDROW_OBSTACLES 131072       // in the box
+#define WINDROW_ROOMS 262144           // some of the air is in closed rooms
+#define WINDROW_THIN 524288            // a read may pass through a body
+#define WINDROW_BODIES_MOVE 1048576    // some obstacle moves
+#define WINDROW_ROUGH 2097152          // the ground is rough
+#define WINDROW_DRAG 4194304           // deposits of drag are in the box
+#define WINDROW_MAY_REST 8388608       // nothing acts: it is found whether the air is still
+#define WINDROW_FIRST_TICK 16777216    // of its recording
+#define WINDROW_COUNTED 67108864       // the last pass of the tick before has found what `sources` else does, which is left out
 #define WINDROW_OUTER_TURNED 134217728 // the second of the outer wind's two fields is that of the start (outer.glsl)
-#define WINDROW_PLANS 33554432      // one sub-step is recorded: the first pass over cells derives the plan, no pass makes it
+#define WINDROW_PLANS 33554432         // one sub-step is recorded: the first pass over cells derives the plan, no pass makes it
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {

@@ -13,7 +13,8 @@ vec4 outer_at(ivec3 cell, float time) {
     const int start = is_on(WINDROW_OUTER_TURNED) ? field : 0;
     if (!(tick.duration > 0.0f))
         return tile_texels[at + start];
-    return windrow_outer_between(tile_texels[at + start], tile_texels[at + field - start], clamp(time / tick.duration, 0.0f, 1.0f));
+    return windrow_outer_between(tile_texels[at + start], tile_texels[at + field - start],
+                                 clamp(time / tick.duration, 0.0f, 1.0f));
 }
 
 // [m/s] The wind around the box there: `ambient` and D.
@@ -51,9 +52,7 @@ ivec3 ghost_of(ivec3 cell, int axis, int end) {
 }
 
 // What a central difference has of the ghost's value.
-float of_ghost(ivec3 cell, int axis, int end) {
-    return (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? row_scale(cell.y) : 1.0f);
-}
+float of_ghost(ivec3 cell, int axis, int end) { return (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? row_scale(cell.y) : 1.0f); }
 
 float outer_factor() { return windrow_outer_factor(WINDROW_OF_PLAN.substep_duration, has_past()); }
 
@@ -70,9 +69,8 @@ float outer_right_side(ivec3 cell) {
                 continue;
             const ivec3 ghost = ghost_of(cell, axis, end);
             const float time = end_of_substep(), factor = outer_factor();
-            const float rise =
-                windrow_outer_pushed(outer_at(ghost, time)[axis], factor, outer_slope(ghost, axis, time)) -
-                windrow_outer_pushed(outer_at(cell, time)[axis], factor, outer_slope(cell, axis, time));
+            const float rise = windrow_outer_pushed(outer_at(ghost, time)[axis], factor, outer_slope(ghost, axis, time)) -
+                               windrow_outer_pushed(outer_at(cell, time)[axis], factor, outer_slope(cell, axis, time));
             sum += of_ghost(cell, axis, end) * rise - exchange(cell, axis, end) * outer_potential(ghost);
         }
     return sum;

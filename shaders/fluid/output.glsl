@@ -99,9 +99,8 @@ void main() {
             parts[local] = vec2(row_volume(cell.y) * dot(u.xyz, u.xyz), divergence * divergence);
             atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
             const float time = tick.duration + elapsed();
-            const vec3 around = record_is(record, WINDROW_ROOM)
-                                    ? vec3(0.0f)
-                                    : around_at(cell, time, wind_at(cell, time, is_on(WINDROW_GUSTS)));
+            const vec3 around =
+                record_is(record, WINDROW_ROOM) ? vec3(0.0f) : around_at(cell, time, wind_at(cell, time, is_on(WINDROW_GUSTS)));
             if (!within)
                 atomicMax(group_apart, floatBitsToUint(largest_component(u.xyz - around)));
         }

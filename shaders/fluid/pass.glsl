@@ -98,8 +98,8 @@ bool is_fresh() { return push.substep < 0; }
 int substep() { return max(push.substep, 0); }
 
 bool has_past() {
-    return !is_fresh() && !(push.substep == 0 && is_on(WINDROW_FRESH) &&
-                            !windrow_rehearses(WINDROW_OF_PLAN.cfl, WINDROW_OF_PLAN.substeps));
+    return !is_fresh() &&
+           !(push.substep == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(WINDROW_OF_PLAN.cfl, WINDROW_OF_PLAN.substeps));
 }
 
 // What a sub-step takes from the one before it.

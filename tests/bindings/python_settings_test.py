@@ -4,6 +4,7 @@ import ctypes
 import dataclasses
 import math
 import pathlib
+import pickle
 import unittest
 
 import numpy as np
@@ -112,6 +113,26 @@ class Settings(unittest.TestCase):
                 body = text.partition(f"class {name}(")[2].partition("\n\n\n")[0]
                 for field in dataclasses.fields(kind):
                     self.assertRegex(body, rf'    {field.name}: [^\n]*\n    """', f"{name}.{field.name}")
+
+    def test_a_wind_inside_another(self):
+        floor = windrow.Boundaries.open_over_floor()
+        around = windrow.Wind(windrow.Config(cells=(16, 6, 16), cell_size=2, boundaries=floor, ambient=(4, 0, 1)))
+        around.motors.add(windrow.DirectionalMotor(position=(-9, 3, 0), region=windrow.Sphere(4)))
+        inside = windrow.Config(cells=(12, 6, 12), boundaries=floor)
+        wind, alone = windrow.Wind(inside, outer=around), windrow.Wind(windrow.Config(cells=(12, 6, 12), boundaries=floor, ambient=(4, 0, 1)))
+        for _ in range(20):
+            for one in (around, wind, alone):
+                one.advance(1 / 30)
+        self.assertEqual(wind.ambient, (4, 0, 1))
+        self.assertGreater(np.abs(wind.field() - alone.field()).max(), 0.5)
+        self.assertEqual(wind.velocity((-9, 3, 0)), around.velocity((-9, 3, 0)))
+        again = pickle.loads(pickle.dumps(wind))  # with the wind around it
+        loaded = windrow.Wind.load(wind.save(), outer=windrow.Wind.load(around.save()))
+        del around
+        self.assertTrue(np.array_equal(again.field(), wind.field()) and np.array_equal(loaded.field(), wind.field()))
+        self.assertIn("saved with an outer wind", sentence_of(self, lambda: windrow.Wind.load(wind.save())))
+        self.assertIn("outer", sentence_of(self, lambda: windrow.Wind(inside, outer="wind")))
+        self.assertIn("levels", sentence_of(self, lambda: windrow.Wind(windrow.Config(ambient=(1, 0, 0)), outer=wind)))
 
 
 def numbers_of(struct):

@@ -309,6 +309,33 @@ void device_story(const Host& host, Record& record, windrow_vulkan_device* devic
     windrow_bytes_destroy(saved);
     windrow_wind_destroy(loaded);
     windrow_wind_destroy(what.wind);
+    // Inside a wind on the CPU.
+    windrow_wind *outer = nullptr, *large = nullptr;
+    config.cells = host.cells(16, 8, 14);
+    config.cell_size = host.single(2.0);
+    WINDROW_AXES_OK(windrow_wind_create(&config, &outer));
+    WINDROW_AXES_OK(windrow_wind_add_jet(outer, &jet, nullptr));
+    WINDROW_AXES_OK(windrow_wind_step(outer, 0.25, nullptr));
+    config.cells = host.cells(16, 8, 12);
+    config.cell_size = host.single(1.0);
+    config.ambient = {};
+    WINDROW_AXES_OK(windrow_vulkan_wind_create_inside(&from, &config, &settings, outer, &what.wind));
+    what.ticks = false;
+    what.frame.dt = 0.0625;
+    what.frame.save = 1;
+    WINDROW_AXES_OK(windrow_vulkan_device_run(device, record_commands, &what));
+    WINDROW_AXES_OK(what.result);
+    (void)windrow_vulkan_wind_collect(what.wind, 0);
+    WINDROW_AXES_OK(windrow_wind_velocity(what.wind, host.place(-4.5, 2.25, -0.75), &velocity));
+    record.vector("velocity inside", velocity, 1);
+    WINDROW_AXES_OK(windrow_vulkan_wind_saved(what.wind, &saved));
+    WINDROW_AXES_OK(
+        windrow_vulkan_wind_load_inside(&from, windrow_bytes_data(saved), windrow_bytes_size(saved), &settings, outer, &large));
+    windrow_bytes_destroy(saved);
+    EXPECT_EQ(windrow_vulkan_wind_create_inside(&from, &config, &settings, large, &loaded), WINDROW_UNSUPPORTED);
+    windrow_wind_destroy(outer);
+    windrow_wind_destroy(large);
+    windrow_wind_destroy(what.wind);
     if (!windrow_has_part(WINDROW_PART_COUPLING))
         return;
     windrow_ground_config remembered;

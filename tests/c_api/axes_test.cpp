@@ -358,4 +358,43 @@ TEST(AxesInC, AWrongUnitIsRejectedAndTheMatrixTurnsPlaces) {
     WINDROW_AXES_OK(windrow_set_axes(WINDROW_AXES_Y_UP_RIGHT, 1.0));
 }
 
+TEST(AxesInC, AWindInsideAnotherIsTheSame) {
+    expect_same_for_all_hosts([](const Host& host, Record& record) {
+        windrow_config config;
+        WINDROW_AXES_OK(windrow_config_init(&config, sizeof config));
+        config.cells = host.cells(14, 6, 12);
+        config.cell_size = host.single(2.0);
+        config.boundaries = windrow_boundaries_open_over_floor();
+        config.ambient = host.vector(4.0, 0.0, 1.0, 1);
+        windrow_wind *outer = nullptr, *inner = nullptr, *loaded = nullptr;
+        WINDROW_AXES_OK(windrow_wind_create(&config, &outer));
+        windrow_directional_motor fan;
+        WINDROW_AXES_OK(windrow_directional_motor_init(&fan, sizeof fan));
+        fan.direction = host.vector(1.0, 0.0, 0.0, 0);
+        fan.position = host.place(-7.0, 3.0, 0.0);
+        WINDROW_AXES_OK(windrow_wind_add_directional(outer, &fan, nullptr));
+        WINDROW_AXES_OK(windrow_wind_step(outer, 0.25, nullptr));
+        config.cells = host.cells(10, 6, 8);
+        config.cell_size = host.single(1.0);
+        config.ambient = {};
+        WINDROW_AXES_OK(windrow_wind_create_inside(&config, outer, &inner));
+        windrow_vec3 found{};
+        for (int n = 0; n < 2; ++n) {
+            WINDROW_AXES_OK(windrow_wind_step(inner, 0.0625, nullptr));
+            WINDROW_AXES_OK(windrow_wind_velocity(inner, host.place(-2.5, 2.25, -0.75), &found));
+            record.vector("velocity inside", found, 1);
+        }
+        windrow_bytes* saved = nullptr;
+        WINDROW_AXES_OK(windrow_wind_save(inner, &saved));
+        WINDROW_AXES_OK(windrow_wind_load_inside(windrow_bytes_data(saved), windrow_bytes_size(saved), nullptr, outer, &loaded));
+        windrow_bytes_destroy(saved);
+        windrow_wind_destroy(outer); // the two inside keep it
+        WINDROW_AXES_OK(windrow_wind_step(loaded, 0.0625, nullptr));
+        WINDROW_AXES_OK(windrow_wind_velocity(loaded, host.place(-2.5, 2.25, -0.75), &found));
+        record.vector("velocity again", found, 1);
+        windrow_wind_destroy(loaded);
+        windrow_wind_destroy(inner);
+    });
+}
+
 } // namespace

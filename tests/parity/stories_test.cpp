@@ -1,13 +1,16 @@
 // The stories that `windrow check` and `windrow verify` tell: that they hold what they say, and that a device which is off would
 // be found out.
 #include "cases/parity_run.h"
+#include "cli/playback.h"
 #include "fluid/vulkan/passes.h"
 #include "fluid/vulkan/wind.h"
+#include "scene/scene_reader.h"
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"
 #include "tests/tier.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <set>
 
@@ -159,6 +162,30 @@ TEST(ParityStories, HaveNamesOfTheirOwnAndConfigsThatAreValid) {
     }
     for (const int x : {16, 17, 32, 64, 128})
         EXPECT_TRUE(sizes.contains(x)) << x;
+}
+
+// A scene with winds around its box plays on a device as on the CPU: of `windrow run --backend vulkan`.
+TEST_F(Stories, OfASceneWithLevelsAreThoseOfTheCpu) {
+    auto scene = scene::read_scene(WINDROW_SOURCE_DIR "/examples/scenes/nested.json");
+    ASSERT_TRUE(scene) << scene.error();
+    const Backend backend(own, "device");
+    auto device = Playback::create(*scene, {}, backend), cpu = Playback::create(*scene, {});
+    ASSERT_TRUE(device && cpu) << device.error();
+    EXPECT_EQ(device->levels().size(), 2u);
+    for (int n = 0; n < (test::whole_sweeps() ? 60 : 8); ++n) {
+        ASSERT_TRUE(cpu->tick());
+        ASSERT_TRUE(device->tick());
+    }
+    ASSERT_EQ(backend.fault(), "");
+    double worst = 0.0, fastest = 0.0;
+    const auto field = device->wind().field(), wanted = cpu->wind().field();
+    for (std::size_t at = 0; at < wanted.size(); ++at) {
+        worst = std::max(worst, static_cast<double>(glm::length(glm::vec3(field[at] - wanted[at]))));
+        fastest = std::max(fastest, static_cast<double>(glm::length(glm::vec3(wanted[at]))));
+    }
+    WINDROW_EXPECT_FIGURE("stories.levels", worst / fastest, 1e-5);
+    const glm::dvec3 hill{-100.0, 30.0, 10.0}; // of the outermost wind
+    EXPECT_EQ(device->wind().velocity(hill), cpu->wind().velocity(hill));
 }
 
 } // namespace

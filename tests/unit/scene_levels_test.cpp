@@ -1,6 +1,8 @@
 // A scene with winds around its box: what is read of them, what is in each, and that they go on from where they were saved.
+#include "fluid/event_log.h"
 #include "scene/scene_levels.h"
 #include "scene/scene_reader.h"
+#include "scene/scene_writer.h"
 #include "tests/winds.h"
 
 #include <optional>
@@ -100,6 +102,79 @@ TEST(SceneLevels, GoOnWithTheSameBits) {
     EXPECT_EQ(test::largest_apart(played.wind->field(), again.wind->field()), 0.0);
     const Scene other = read(R"("outer": {})");
     EXPECT_NE(SceneLevels::load(other, {}, *levels).error().find("has 1"), std::string::npos);
+}
+
+// What is written of a wind is what was read: the same winds around it, with the same bits once they are played.
+TEST(SceneLevels, AreWrittenAndReadAgain) {
+    const Scene scene = read(k_two, R"(, "follow": [2, 3, 0], "floor": 0, "drag": [{"plant": {"position": [-4, 0, 5]}}],
+        "obstacles": [{"position": [-10, 2, 4], "shape": {"block": {"half_size": [3, 2.5, 2]}}}])");
+    Played played(scene);
+    played.tick(1);
+    const auto text = write_scene(*played.wind, {.duration = 2.0, .tick_hz = 30.0});
+    ASSERT_TRUE(text) << text.error();
+    const auto again = read_scene_text(*text, "again.json");
+    ASSERT_TRUE(again) << again.error();
+    ASSERT_EQ(again->outer.size(), 2u);
+    EXPECT_EQ(again->outer[1].ticks.hz, 2.0);
+    Played first(scene), second(*again);
+    for (int n = 1; n <= 20; ++n) {
+        first.tick(n);
+        second.tick(n);
+    }
+    EXPECT_EQ(test::largest_apart(first.wind->field(), second.wind->field()), 0.0);
+    EXPECT_GT(test::largest_apart(first.wind->field(), test::made(scene.air).field()), 1.0);
+}
+
+TEST(SceneLevels, AreWrittenAsASceneHasThemOrNot) {
+    const Config around{.cells = {20, 8, 20}, .cell_size = 2.0f, .boundaries = Boundaries::open_over_floor()},
+        inside{.cells = {12, 8, 12}, .boundaries = Boundaries::open_over_floor()};
+    const auto error = [&](const auto& change) {
+        Config outside = around;
+        change(outside, static_cast<Wind*>(nullptr));
+        const auto outer = std::make_shared<Wind>(test::made(outside));
+        change(outside, outer.get());
+        const auto inner = Wind::create(inside, outer);
+        EXPECT_TRUE(inner) << inner.error();
+        return write_scene(*inner, {}).error();
+    };
+    EXPECT_EQ(error([](Config&, Wind*) {}), "");
+    EXPECT_NE(error([](Config& config, Wind*) { config.viscosity = 0.1f; }).find("another viscosity"), std::string::npos);
+    EXPECT_NE(error([](Config& config, Wind*) { config.centre.x = 4.0; }).find("let both follow it"), std::string::npos);
+    EXPECT_NE(error([](Config&, Wind* wind) {
+                  if (wind != nullptr) {
+                      EXPECT_TRUE(wind->motors().add(DirectionalMotor{}));
+                  }
+              }).find("has motors that"),
+              std::string::npos);
+}
+
+// Each level has a log; played in turns, from the outermost in, they are all that happened.
+TEST(SceneLevels, AreReplayedFromTheirLogs) {
+    const Config around{
+        .cells = {20, 8, 20}, .cell_size = 2.0f, .boundaries = Boundaries::open_over_floor(), .ticks = {.hz = 10.0}},
+        inside{.cells = {12, 8, 12}, .boundaries = Boundaries::open_over_floor()};
+    const auto outer = std::make_shared<Wind>(test::made(around)), outer_again = std::make_shared<Wind>(test::made(around));
+    Wind inner = *Wind::create(inside, outer), inner_again = *Wind::create(inside, outer_again);
+    for (int frame = 0; frame < 12; ++frame) {
+        EventLog large, small; // of this frame
+        outer->record_to(&large);
+        inner.record_to(&small);
+        if (frame == 0) {
+            ASSERT_TRUE(outer->set_ambient({4.0f, 0.0f, 1.0f}));
+            (void)test::added(*outer, DirectionalMotor{.position = {-8.0, 3.0, 0.0}, .region = Sphere{4.0f}});
+        }
+        if (frame == 5) {
+            ASSERT_TRUE(outer->set_gusts({.intensity = 0.2f}));
+        }
+        ASSERT_TRUE(inner.follow({0.3 * frame, 0.0, 0.0}));
+        (void)outer->advance(1.0 / 30.0);
+        (void)inner.advance(1.0 / 30.0);
+        ASSERT_TRUE(replay(large, *outer_again));
+        ASSERT_TRUE(replay(small, inner_again));
+    }
+    EXPECT_EQ(test::largest_apart(outer->field(), outer_again->field()), 0.0);
+    EXPECT_EQ(test::largest_apart(inner.field(), inner_again.field()), 0.0);
+    EXPECT_GT(glm::length(inner.velocity({0.0, 2.0, 0.0})), 1.0f);
 }
 
 TEST(SceneLevels, AreNotLeftOutInSilence) {

@@ -30,14 +30,18 @@ Air::Air(std::unique_ptr<ThreadPool> threads, std::unique_ptr<engine::CpuWind> w
 Air::Air(windrow::vulkan::Wind wind)
     : device_(std::make_unique<windrow::vulkan::Wind>(std::move(wind))), control_(device_.get()), reader_(device_.get()) {}
 
-Result<Air> Air::create(engine::Device& device, Config config, const AirSettings& settings) {
+Result<Air> Air::create(engine::Device& device, Config config, const AirSettings& settings,
+                        const std::shared_ptr<const Wind>& outer) {
     if (on_cpu(device, settings)) {
         auto threads = std::make_unique<ThreadPool>();
         config.parallel_for = threads->parallel_for();
-        auto wind = engine::CpuWind::create(device, config);
-        return wind ? Result<Air>(Air(std::move(threads), *std::move(wind))) : wind.failure();
+        auto wind = Wind::create(config, outer);
+        if (!wind)
+            return wind.failure();
+        auto shown = engine::CpuWind::create(device, *std::move(wind));
+        return shown ? Result<Air>(Air(std::move(threads), *std::move(shown))) : shown.failure();
     }
-    auto wind = windrow::vulkan::Wind::create(device.host(), config, device_settings(settings));
+    auto wind = windrow::vulkan::Wind::create(device.host(), config, device_settings(settings), outer);
     return wind ? Result<Air>(Air(*std::move(wind))) : wind.failure();
 }
 

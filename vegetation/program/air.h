@@ -27,8 +27,9 @@ struct AirSettings {
 
 class Air {
   public:
-    /// Rejects what the wind rejects. The device outlives it.
-    [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings);
+    /// Rejects what the wind rejects. The device outlives it. `outer`: the wind around, which the host advances first; null: none.
+    [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings,
+                                            const std::shared_ptr<const Wind>& outer = {});
     /// Air that goes on from what `save` or Wind::save returned, on either solver. Rejects what their `load` rejects.
     [[nodiscard]] static Result<Air> load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings);
     /// The whole state as bytes, as Wind::save returns them. Of a wind on the device it submits a frame and waits for it.

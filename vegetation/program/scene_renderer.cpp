@@ -19,7 +19,7 @@ constexpr int k_max_ticks = 1000; // of windrow::Ticks in one frame
 SceneRenderer::SceneRenderer(const PictureScene& scene, const SceneRendererSettings& settings)
     : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
       size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
-      scene_air_(scene.air) {}
+      scene_air_(windrow::scene::SceneAir::within(scene.air)) {}
 
 Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const PictureScene& scene, const SceneRendererSettings& settings) {
     std::unique_ptr<SceneRenderer> made(new SceneRenderer(scene, settings));
@@ -54,7 +54,21 @@ Result<void> SceneRenderer::make() {
     } else if (picture.sampling.detail > 0.0f && air.gusts.intensity <= 0.0f) {
         air.gusts.tile = windrow::GustTile::standard(); // the pattern of the detail, where no gusts bring one
     }
-    auto wind = Air::create(*device_, air, air_settings());
+    if (settings_.wind && !scene_.air.outer.empty()) {
+        if (settings_.edited)
+            return Error{
+                "$.air.outer is a wind around the box, which `windrow view` does not play: use windrow run or windrow-draw, "
+                "or remove it."};
+        level_threads_ = std::make_unique<ThreadPool>();
+        auto levels = windrow::scene::SceneLevels::create(scene_.air, level_threads_->parallel_for());
+        if (!levels)
+            return levels.failure();
+        levels_.emplace(*std::move(levels));
+        air.ambient = levels_->inner_config().ambient; // the outermost level's
+        air.profile.reset();
+        air.gusts = {.tile = air.gusts.tile};
+    }
+    auto wind = Air::create(*device_, air, air_settings(), levels_ ? levels_->nearest() : nullptr);
     if (!wind)
         return wind.failure().after("$.air: ");
     air_ = *std::move(wind);
@@ -308,6 +322,9 @@ Result<void> SceneRenderer::record_air(const engine::Frame& frame, double dt) {
 }
 
 Result<void> SceneRenderer::blow(const engine::Frame& frame, double start, double end) {
+    if (levels_)
+        if (auto around = levels_->advance_to(end); !around)
+            return around;
     if (settings_.wind)
         if (auto placed = scene_air_.advance_to(air_->control(), end); !placed)
             return placed;
@@ -345,6 +362,9 @@ Result<void> SceneRenderer::warm_up() {
         const auto frame = frames_->begin();
         if (!frame)
             return frame.failure();
+        if (levels_)
+            if (auto around = levels_->pass(dt); !around)
+                return around;
         auto walked = record_air(*frame, dt);
         if (walked)
             walked = walk(*frame, 0.0, 0.0);

@@ -20,7 +20,7 @@
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
-#include "scene/scene_air.h"
+#include "scene/scene_levels.h"
 #include "vegetation/program/air.h"
 #include "vegetation/program/figures.h"
 #include "vegetation/program/furred_body.h"
@@ -169,6 +169,8 @@ class SceneRenderer {
     glm::dvec3 anchor_{0.0};
     std::unique_ptr<engine::Device> own_device_{};
     engine::Device* device_ = nullptr; ///< that, or the host's
+    std::unique_ptr<ThreadPool> level_threads_{};
+    std::optional<windrow::scene::SceneLevels> levels_{}; ///< around the air; none in scenes without
     std::optional<Air> air_{};
     windrow::scene::SceneAir scene_air_;
     std::optional<windrow::vulkan::GroundMemory> ground_{};

@@ -149,8 +149,7 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_load(const windrow_vulkan_host
     return call({{host, "host"}, {bytes, "bytes"}, {wind, "wind"}}, [&] {
         return with(host, [&](const vulkan::Host& device) {
             return with_settings(settings, [&](const vulkan::Settings& how) {
-                const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
-                return make_wind(wind, vulkan::Wind::load(device, saved, how));
+                return make_wind(wind, vulkan::Wind::load(device, saved_at(bytes, size), how));
             });
         });
     });
@@ -164,8 +163,7 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_load_inside(const windrow_vulk
         return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
             return with(host, [&](const vulkan::Host& device) {
                 return with_settings(settings, [&](const vulkan::Settings& how) {
-                    const std::span saved(static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size));
-                    return make_wind(wind, vulkan::Wind::load(device, saved, how, around));
+                    return make_wind(wind, vulkan::Wind::load(device, saved_at(bytes, size), how, around));
                 });
             });
         });

@@ -582,11 +582,16 @@ namespace Windrow
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_create(IntPtr config, IntPtr wind);
         [DllImport(Native.Library)]
+        public static extern Result windrow_wind_create_inside(IntPtr config, IntPtr outer, IntPtr wind);
+        [DllImport(Native.Library)]
         public static extern void windrow_wind_destroy(IntPtr wind);
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_save(IntPtr wind, IntPtr bytes);
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_load(IntPtr bytes, ulong size, IntPtr parallel_for, IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_wind_load_inside(IntPtr bytes, ulong size, IntPtr parallel_for,
+            IntPtr outer, IntPtr wind);
         [DllImport(Native.Library)]
         public static extern Result windrow_wind_record_to(IntPtr wind, IntPtr log);
         [DllImport(Native.Library)]

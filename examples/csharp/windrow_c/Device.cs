@@ -283,8 +283,14 @@ namespace Windrow
         [DllImport(Native.Library)]
         public static extern Result windrow_vulkan_wind_create(IntPtr host, IntPtr config, IntPtr settings, IntPtr wind);
         [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_create_inside(IntPtr host, IntPtr config, IntPtr settings,
+            IntPtr outer, IntPtr wind);
+        [DllImport(Native.Library)]
         public static extern Result windrow_vulkan_wind_load(IntPtr host, IntPtr bytes, ulong size, IntPtr settings,
             IntPtr wind);
+        [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_load_inside(IntPtr host, IntPtr bytes, ulong size,
+            IntPtr settings, IntPtr outer, IntPtr wind);
         [DllImport(Native.Library)]
         public static extern Result windrow_vulkan_wind_saved(IntPtr wind, IntPtr bytes);
         [DllImport(Native.Library)]

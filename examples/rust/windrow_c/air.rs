@@ -436,10 +436,14 @@ extern "C" {
     pub fn windrow_advance_init(advance: *mut Advance, struct_size: u32) -> ResultCode;
     pub fn windrow_box_init(r#box: *mut Box, struct_size: u32) -> ResultCode;
     pub fn windrow_wind_create(config: *const Config, wind: *mut *mut c_void) -> ResultCode;
+    pub fn windrow_wind_create_inside(config: *const Config, outer: *const c_void, wind: *mut *mut c_void) -> ResultCode;
     pub fn windrow_wind_destroy(wind: *mut c_void);
     pub fn windrow_wind_save(wind: *const c_void, bytes: *mut *mut c_void) -> ResultCode;
     pub fn windrow_wind_load(
         bytes: *const c_void, size: u64, parallel_for: *const ParallelFor, wind: *mut *mut c_void
+    ) -> ResultCode;
+    pub fn windrow_wind_load_inside(
+        bytes: *const c_void, size: u64, parallel_for: *const ParallelFor, outer: *const c_void, wind: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_wind_record_to(wind: *mut c_void, log: *mut c_void) -> ResultCode;
     pub fn windrow_wind_config(wind: *mut c_void, config: *mut Config) -> ResultCode;

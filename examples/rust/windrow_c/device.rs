@@ -221,8 +221,16 @@ extern "C" {
     pub fn windrow_vulkan_wind_create(
         host: *const VulkanHost, config: *const Config, settings: *const VulkanSettings, wind: *mut *mut c_void
     ) -> ResultCode;
+    pub fn windrow_vulkan_wind_create_inside(
+        host: *const VulkanHost, config: *const Config, settings: *const VulkanSettings, outer: *const c_void,
+        wind: *mut *mut c_void
+    ) -> ResultCode;
     pub fn windrow_vulkan_wind_load(
         host: *const VulkanHost, bytes: *const c_void, size: u64, settings: *const VulkanSettings,
+        wind: *mut *mut c_void
+    ) -> ResultCode;
+    pub fn windrow_vulkan_wind_load_inside(
+        host: *const VulkanHost, bytes: *const c_void, size: u64, settings: *const VulkanSettings, outer: *const c_void,
         wind: *mut *mut c_void
     ) -> ResultCode;
     pub fn windrow_vulkan_wind_saved(wind: *mut c_void, bytes: *mut *mut c_void) -> ResultCode;
