@@ -192,6 +192,9 @@ void OuterWind::fill_brick(const AirOfNow& air) {
                static_cast<std::size_t>(in_brick.x)] += glm::vec4(change, 0.0f);
     };
     air.for_each_filled(std::ref(fill)); // no copy: a step does not allocate
+    for (glm::vec4& at_cell : brick_)    // of cells that its next step repairs
+        if (!std::isfinite(at_cell.x + at_cell.y + at_cell.z + at_cell.w))
+            at_cell = glm::vec4(0.0f);
 }
 
 void OuterWind::sample(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {

@@ -2,6 +2,7 @@
 #include "tests/winds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -205,6 +206,16 @@ TEST(OuterWind, SnapshotsGoOnWithTheSameBits) {
     EXPECT_NE(no_outer.error().find("saved with an outer wind"), std::string::npos);
     const auto one_too_many = Wind::load(*large, {}, outer);
     EXPECT_NE(one_too_many.error().find("saved without an outer wind"), std::string::npos);
+}
+
+// Cells that the outer wind repairs in its next step do not come in before.
+TEST(OuterWind, KeepsAirThatIsNoNumberOutside) {
+    const auto outer = shared(around());
+    outer->set_velocity([](glm::dvec3 at) { return glm::vec3(at.x < 0.0 ? std::nanf("") : 2.0f, 0.0f, 0.0f); });
+    Wind inner = within(outer, inside());
+    for (int n = 0; n < 5; ++n)
+        (void)inner.step(1.0 / 30.0);
+    EXPECT_TRUE(std::ranges::all_of(inner.field(), [](glm::vec4 u) { return std::isfinite(u.x + u.y + u.z); }));
 }
 
 TEST(OuterWind, RejectsWhatItCannotBe) {
