@@ -53,7 +53,8 @@ void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
         if (level->scheme != Scheme::second_order || !level->stages.advection)
             reasons.add(
                 "an outer wind needs scheme second_order and the advection, of both winds: leave them at their defaults.");
-    const WindowHistory place(config, detail::box_of(config).rows.get());
+    const Box box = box_of(config); // whose rows the window names
+    const WindowHistory place(config, box.rows.get());
     const glm::dvec3 low = place.window.origin(), high = low + place.window.size();
     const Window around = outer.view().window();
     const glm::dvec3 outer_low = around.origin(), outer_high = outer_low + around.size();

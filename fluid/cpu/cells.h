@@ -125,6 +125,9 @@ class Cells final : public CellStorage {
     // --- For a wind whose surroundings are this one (outer_wind.h) ---------------------------------------------------------
     /// From now on, the pressure of the last two ticks. Throws std::bad_alloc.
     void keep_pressure();
+    [[nodiscard]] bool keeps_pressure() const { return !pressure_.empty(); }
+    /// No longer: no wind is inside this one.
+    void drop_pressure() { pressure_ = {}, pressure_before_ = {}; }
     [[nodiscard]] bool asleep() const;
     /// [m^2/s^2] Of a cell in the frame shown.
     [[nodiscard]] float shown_pressure(std::size_t cell) const;

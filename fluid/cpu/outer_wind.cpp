@@ -45,6 +45,7 @@ namespace {
 
 // Cells of a line that is blended along x, on the stack.
 constexpr int k_longest_line = 2 * k_max_axis_cells;
+constexpr float k_no_wind = 1e6f; // [m/s] a hundred times what an ambient wind may be
 
 // A cell in one register.
 typedef float Four __attribute__((vector_size(16)));
@@ -192,8 +193,10 @@ void OuterWind::fill_brick(const AirOfNow& air) {
                static_cast<std::size_t>(in_brick.x)] += glm::vec4(change, 0.0f);
     };
     air.for_each_filled(std::ref(fill)); // no copy: a step does not allocate
-    for (glm::vec4& at_cell : brick_)    // of cells that its next step repairs
-        if (!std::isfinite(at_cell.x + at_cell.y + at_cell.z + at_cell.w))
+    // Not what is no wind: the outer wind's next step repairs or limits it.
+    for (glm::vec4& at_cell : brick_)
+        if (!(std::abs(at_cell.x) + std::abs(at_cell.y) + std::abs(at_cell.z) < k_no_wind &&
+              std::abs(at_cell.w) < k_no_wind * k_no_wind))
             at_cell = glm::vec4(0.0f);
 }
 
