@@ -13,7 +13,7 @@
 #define WINDROW_FRESH 1            // no history yet: the first sub-step is rehearsed
 #define WINDROW_STABLE_FLUIDS 2    // the classic split (and all that does not advect), else second order
 #define WINDROW_LINEAR 4           // trilinear, else cubic
-#define WINDROW_CUBIC_32 134217728 // cubic on 32 cells
+#define WINDROW_CUBIC_32 268435456 // cubic on 32 cells
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
 #define WINDROW_RELAXES 32
