@@ -67,8 +67,7 @@ Fault OutputFolder::open(const std::filesystem::path& folder) {
     // Rights alone do not tell: a full disk lets a file be made and rejects its first byte.
     detail::NewFile trial(folder / ".windrow-trial");
     const char block[4096] = {};
-    trial.sputn(block, sizeof block);
-    trial.pubsync();
+    (void)trial.write({block, sizeof block});
     return write_fault(folder, trial.error());
 }
 

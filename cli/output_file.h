@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/console.h"
-#include "fluid/files/new_file.h"
+#include "fluid/files/streamed_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -53,7 +53,7 @@ class OutputFile {
   private:
     std::filesystem::path file_;
     const char* flag_;
-    detail::NewFile out_;
+    detail::StreamedFile out_;
     std::optional<std::string> text_{}; ///< set: it is kept
 };
 

@@ -120,8 +120,9 @@ Fault RunSnapshot::write(const RunIdentity& run, std::int64_t frames, Playback& 
     if (!file)
         return {file.error(), true};
     detail::NewFile out(file_);
-    out.sputn(reinterpret_cast<const char*>(file->data()), static_cast<std::streamsize>(file->size()));
-    return out.error() == 0 && out.publish() ? Fault{} : write_fault(file_, out.error());
+    return out.write({reinterpret_cast<const char*>(file->data()), file->size()}) && out.publish()
+               ? Fault{}
+               : write_fault(file_, out.error());
 }
 
 void RunSnapshot::clear() {

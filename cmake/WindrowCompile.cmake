@@ -6,6 +6,9 @@ set(WINDROW_UNITY 0 CACHE STRING "Files that are compiled as one; 0: each by its
 
 option(WINDROW_PORTABLE "Link the command and the library in C for any Linux with glibc 2.34: libraries of C++ within them" OFF)
 
+# What is small rather than quick. Emscripten's -Oz turns inlining off, which doubles what templates of the standard library take.
+set(WINDROW_SMALL $<IF:$<BOOL:${EMSCRIPTEN}>,-Oz$<SEMICOLON>-finline-functions,-Os>)
+
 # windrow_compile(TARGET [LIGHT | TEST])
 #
 # -ffp-contract=off: a product and a sum stay two roundings unless a kernel asks for a fused one by name, so that one
@@ -21,8 +24,8 @@ function(windrow_compile target)
   endif()
   set(level -O3)
   if(EMSCRIPTEN) # a page is downloaded each time it is opened; the core names the level of each file, since em++ mixes two
-    set(level $<$<NOT:$<STREQUAL:${target},windrow_fluid>>:-Oz>)
-  elseif(WINDROW_PORTABLE) # what is copied to other machines is downloaded; the kernels keep -O3 (fluid/CMakeLists.txt)
+    set(level "$<$<NOT:$<STREQUAL:${target},windrow_fluid>>:${WINDROW_SMALL}>")
+  elseif(WINDROW_PORTABLE) # what is copied to other machines is downloaded; the core names files of other levels
     set(level $<IF:$<BOOL:${arg_LIGHT}>,-Os,-O2>)
   elseif(arg_TEST)
     set(level -Og)
@@ -98,7 +101,7 @@ function(windrow_portable target)
   if(NOT WINDROW_PORTABLE)
     return()
   endif()
-  target_compile_options(${target} PRIVATE -Os) # loops that take time are in the libraries within it
+  target_compile_options(${target} PRIVATE ${WINDROW_SMALL}) # loops that take time are in the libraries within it
   target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc -Wl,--gc-sections)
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/portable_glibc.cpp)

@@ -12,7 +12,6 @@
 namespace windrow::detail {
 namespace {
 
-constexpr std::size_t k_buffer_bytes = std::size_t{1} << 16;
 constexpr std::string_view k_part_suffix = ".windrow-part";
 constexpr std::size_t k_max_name_bytes = 200; // a part's name has at most 255
 
@@ -35,8 +34,7 @@ std::filesystem::path next_part(const std::filesystem::path& name) {
 
 } // namespace
 
-NewFile::NewFile(const std::filesystem::path& name) : name_(name), buffer_(k_buffer_bytes) {
-    setp(buffer_.data(), buffer_.data() + buffer_.size());
+NewFile::NewFile(const std::filesystem::path& name) : name_(name) {
     std::error_code fault;
     if (std::filesystem::is_symlink(name_, fault))
         if (auto target = std::filesystem::weakly_canonical(name_, fault); !fault)
@@ -57,38 +55,17 @@ void NewFile::open_part() {
     error_ = EEXIST;
 }
 
+bool NewFile::write(std::string_view bytes) {
+    return error_ == 0 && check(part_.write(bytes.data(), bytes.size()));
+}
+
+std::streamoff NewFile::seek(std::streamoff offset, std::ios_base::seekdir from) {
+    std::streamoff position = -1;
+    return error_ == 0 && check(part_.seek(offset, from, position)) ? position : -1;
+}
+
 bool NewFile::publish() {
-    return flush() && check(part_.publish(name_));
-}
-
-NewFile::int_type NewFile::overflow(int_type character) {
-    if (!flush())
-        return traits_type::eof();
-    if (!traits_type::eq_int_type(character, traits_type::eof()))
-        sputc(traits_type::to_char_type(character));
-    return traits_type::not_eof(character);
-}
-
-int NewFile::sync() {
-    return flush() ? 0 : -1;
-}
-
-NewFile::pos_type NewFile::seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) {
-    if (!flush())
-        return pos_type(off_type(-1));
-    off_type position = -1;
-    return check(part_.seek(offset, from, position)) ? pos_type(position) : pos_type(off_type(-1));
-}
-
-NewFile::pos_type NewFile::seekpos(pos_type position, std::ios_base::openmode which) {
-    return seekoff(off_type(position), std::ios_base::beg, which);
-}
-
-bool NewFile::flush() {
-    if (error_ == 0)
-        (void)check(part_.write(pbase(), static_cast<std::size_t>(pptr() - pbase())));
-    setp(buffer_.data(), buffer_.data() + buffer_.size());
-    return error_ == 0;
+    return error_ == 0 && check(part_.publish(name_));
 }
 
 bool NewFile::check(int error) {
@@ -99,8 +76,7 @@ bool NewFile::check(int error) {
 
 Result<void> write_file(std::string_view what, const std::filesystem::path& file, std::string_view bytes) {
     NewFile out(file);
-    const auto count = static_cast<std::streamsize>(bytes.size());
-    if (out.error() == 0 && out.sputn(bytes.data(), count) == count && out.publish())
+    if (out.write(bytes) && out.publish())
         return {};
     return Error{message(what, " ", file.string(), " cannot be written (", reason_of(out.error()),
                          "); name a file in a folder that you may write to, on a disk with room."),

@@ -12,7 +12,7 @@
 
 #include "fluid/core/bytes.h"
 #include "fluid/core/message.h"
-#include "fluid/files/new_file.h"
+#include "fluid/files/streamed_file.h"
 #include "fluid/vdb/even_grid.h"
 #include "fluid/vdb/grid_rules.h"
 #include "fluid/version.h"
@@ -36,8 +36,8 @@ namespace windrow::vdb {
 namespace {
 
 using windrow::detail::message;
-using windrow::detail::NewFile;
 using windrow::detail::Reasons;
+using windrow::detail::StreamedFile;
 
 // --- From cells to voxels --------------------------------------------------------------------------------------------
 
@@ -270,7 +270,7 @@ WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, c
             return out_of_memory(file.native(), grid);
         if (auto valid = check(grid, file, options); !valid)
             return {Problem::rejected, valid.error()};
-        NewFile out(file);
+        StreamedFile out(file);
         if (out.error() != 0)
             return failure(file, out.error());
         try {

@@ -1,6 +1,6 @@
 // Files on every system: names with blanks and letters of all scripts, bytes that stay as they are, names that cannot be.
 #include "fluid/files/input_file.h"
-#include "fluid/files/new_file.h"
+#include "fluid/files/streamed_file.h"
 #include "fluid/files/text_lines.h"
 #include "tests/own_folder.h"
 
@@ -60,7 +60,7 @@ TEST_F(FileNames, BytesStayAsTheyAre) {
         bytes += static_cast<char>(n);
     bytes += "a\nb\r\nc\rd\n\r\x1a after";
     {
-        NewFile file(folder / "bytes");
+        detail::StreamedFile file(folder / "bytes");
         std::ostream stream(&file);
         stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         stream.seekp(2);

@@ -67,8 +67,7 @@ TEST_F(NewFiles, ThatTwoProcessesWriteAreAlwaysComplete) {
 TEST_F(NewFiles, PartsOfTheDeadAreClearedAndThoseOfTheLivingStay) {
     const pid_t dead = in_a_process([&] {
         NewFile file(folder / "left");
-        file.sputn("half", 4);
-        file.pubsync();
+        (void)file.write("half");
         ::raise(SIGKILL);
     });
     EXPECT_EQ(WTERMSIG(status_of(dead)), SIGKILL);
@@ -80,8 +79,7 @@ TEST_F(NewFiles, PartsOfTheDeadAreClearedAndThoseOfTheLivingStay) {
     EXPECT_EQ(entries(), 2);
     EXPECT_EQ(status_of(in_a_process([&] { detail::clear_dead_parts(folder); })), 0);
     EXPECT_EQ(entries(), 2);
-    living.sputn("whole", 5);
-    EXPECT_TRUE(living.publish());
+    EXPECT_TRUE(living.write("whole") && living.publish());
     EXPECT_EQ(text_of(folder / "living"), "whole");
     detail::clear_dead_parts(folder / "missing"); // nothing to do
 }
@@ -90,8 +88,7 @@ TEST_F(NewFiles, ADroppedOneLeavesNothing) {
     std::ofstream(folder / "name") << "old";
     {
         NewFile file(folder / "name");
-        file.sputn("new", 3);
-        file.pubsync();
+        EXPECT_TRUE(file.write("new"));
         EXPECT_EQ(entries(), 2);
     }
     EXPECT_EQ(entries(), 1);
