@@ -30,7 +30,7 @@ void main() {
     vec3 sight = root - eye.xyz;
     float distance = length(sight);
     WindrowBladePlant plant = windrow_blade_plant(blade, up, hash, windrow_level(state.xy), sight / max(distance, 1e-6));
-    vec2 row = windrow_grass_row(gl_VertexID, cells.y == 7 && k == 0 ? WINDROW_GRASS_NEAR : WINDROW_GRASS_FAR, 0.0);
+    vec2 row = windrow_grass_row(gl_VertexID, cells.y == 7 && k == 0 ? WINDROW_GRASS_NEAR : WINDROW_GRASS_FAR, 3, 0.0);
     if (few_rows == 1) // two pairs and the tip
         row = gl_VertexID == 4 ? vec2(1.0, 0.0) : vec2(gl_VertexID < 2 ? 0.0 : 0.55, (gl_VertexID & 1) == 0 ? -1.0 : 1.0);
     float half_width = windrow_blade_half_width(blade, row.x);
