@@ -1,28 +1,37 @@
 #!/usr/bin/env python3
 """make_web.py BUILD: the page and the package of npm from bindings/web and the modules in BUILD/simd and BUILD/plain. ./dev web runs it.
 
-    BUILD/page       index.html, app.js, worker.js, windrow.wasm, windrow_plain.wasm: a folder of static files
+    BUILD/page       index.html, app.js, worker.js, and of each form of the module what the first picture needs (windrow.lzma,
+                     windrow_plain.lzma) and the rest (..._rest.lzma): a folder of static files
     BUILD/page/scenes  the scenes and the files that they name
     BUILD/windrow.html one file that opens from a mail, everything inlined
     BUILD/package    the package of npm
 
-Shaders are the page's own and those that they include, from shaders/ and vegetation/shaders, without comments. The panel's rows come
+The modules of the page are packed by LZMA (bindings/web/page/unpack.js), its scripts made small by terser. Shaders are the page's own and
+those that they include, from shaders/ and vegetation/shaders, without comments. The panel's rows come
 from c_api/tables.json. --sizes prints what a visitor downloads.
 """
 import argparse
 import base64
 import gzip
 import json
+import lzma
+import os
 import pathlib
 import re
 import shutil
+import struct
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WEB = ROOT / "bindings/web"
 PAGE = WEB / "page"
 APP = ("made.js", "gl.js", "solids.js", "overlays.js", "meadow.js", "hands.js", "panel.js", "graph.js", "link.js", "main.js")
-WORKER = ("../package/windrow.js", "made.js", "air.js", "vortices.js", "worker.js")
+WORKER = ("../package/windrow.js", "made.js", "unpack.js", "parts.js", "air.js", "vortices.js", "worker.js")
+FORMS = {"simd": "windrow", "plain": "windrow_plain"}
+FEATURES = ("simd", "bulk-memory", "sign-ext", "mutable-globals", "nontrapping-float-to-int")
+FIRST_SCENE = ROOT / "examples/scenes/web/lawn.json"
 TABLES = {"Config": "air", "LogProfile": "profile", "Gusts": "gusts", "JetMotor": "fan", "PressureMotor": "blast", "WakeMotor": "stroke"}
 KINDS = {"float", "double", "int32", "uint32", "vec3", "ivec3", "dvec3", "Scheme", "Interpolation"}
 BY_HAND = ("position", "direction", "floor", "centre")
@@ -63,6 +72,24 @@ def bundle(names):
     text = re.sub(r"^export (default )?", "", text, flags=re.MULTILINE)
     lines = (line.strip() for line in re.sub(r"^\s*/\*\*.*?\*/$", "", text, flags=re.MULTILINE | re.DOTALL).splitlines())
     return "\n".join(line for line in lines if line and not line.startswith("//")) + "\n"
+
+
+TERSER = """
+const text = require("fs").readFileSync(0, "utf8");
+require("terser").minify(text, {toplevel: true, ecma: 2020, compress: {passes: 2}}).then(({code}) => process.stdout.write(code + "\\n"));
+"""
+
+
+def small(script):
+    """The same script with short names, by terser (Debian: node-terser)."""
+    environment = {**os.environ, "NODE_PATH": "/usr/share/nodejs"}
+    return subprocess.run(["node", "-e", TERSER], input=script, stdout=subprocess.PIPE, text=True, check=True, env=environment).stdout
+
+
+def by_lzma(content):
+    """As bindings/web/page/unpack.js unpacks it."""
+    form = {"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "lc": 4, "lp": 0, "pb": 0, "nice_len": 273, "dict_size": 1 << 22}
+    return struct.pack("<I", len(content)) + lzma.compress(content, format=lzma.FORMAT_RAW, filters=[form])
 
 
 def tables():
@@ -112,9 +139,25 @@ def pruned(description, used):
     return json.dumps({"structs": kept, "choices": whole["choices"]}, separators=(",", ":"))
 
 
+def parts(build, form, worker):
+    """The packed parts of a form's module: what the first picture and the first gestures call, by trial, and the rest."""
+    folder = build / form
+    whole_module, first, rest = folder / "windrow_page.wasm", folder / "first.wasm", folder / "rest.wasm"
+    trial, profile, script = folder / "instrumented.wasm", folder / "first.profile", folder / "worker.js"
+    split = ["wasm-split", *(f"--enable-{name}" for name in FEATURES), whole_module]
+    subprocess.run([*split, "--instrument", "-o", trial], check=True)
+    packed_trial = folder / "instrumented.lzma"
+    packed_trial.write_bytes(by_lzma(trial.read_bytes()))
+    (folder / "whole.lzma").write_bytes(by_lzma(whole_module.read_bytes()))  # for tests/web/parts_test.mjs
+    script.write_text(worker)
+    subprocess.run(["node", "--no-experimental-fetch", WEB / "first_picture.mjs", script, packed_trial, FIRST_SCENE, profile], check=True)
+    subprocess.run([*split, f"--profile={profile}", "--export-prefix=%", "-o1", first, "-o2", rest], check=True)
+    return {f"{FORMS[form]}.lzma": by_lzma(first.read_bytes()), f"{FORMS[form]}_rest.lzma": by_lzma(rest.read_bytes())}
+
+
 def app_script(shown):
     data = {"SHADERS": shader_texts(), "TABLES": tables(), "SCENES": shown}
-    return "".join(f"const {name} = {json.dumps(value, separators=(',', ':'))};\n" for name, value in data.items()) + bundle(APP)
+    return small("".join(f"const {name} = {json.dumps(value, separators=(',', ':'))};\n" for name, value in data.items()) + bundle(APP))
 
 
 def page(build):
@@ -128,12 +171,15 @@ def page(build):
     app, worker = app_script(shown), worker_script(build)
     (folder / "index.html").write_text(html.replace("/* style.css */", style))
     (folder / "app.js").write_text(app)
-    (folder / "worker.js").write_text(worker)
     for name in ("LICENSE", "NOTICE"):
         shutil.copy(ROOT / name, folder / f"{name}.txt")
-    for source, name in (("simd", "windrow.wasm"), ("plain", "windrow_plain.wasm")):
-        shutil.copy(build / source / "windrow_page.wasm", folder / name)
-    whole(build, html.replace("/* style.css */", style), app, worker, files_of(shown))
+    modules = {name: content for form in FORMS for name, content in parts(build, form, worker).items()}
+    worker = small(worker)
+    for name, content in modules.items():
+        (folder / name).write_bytes(content)
+    (folder / "worker.js").write_text(worker)
+    fetched = {**modules, "worker.js": worker.encode(), **{f"scenes/{name}": content for name, content in files_of(shown).items()}}
+    whole(build, html.replace("/* style.css */", style), app, fetched)
     return folder
 
 
@@ -141,11 +187,9 @@ def packed(content):
     return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
 
 
-def whole(build, html, app, worker, files):
-    """One file: modules and scenes' files as gzip in base64, the worker as a text."""
-    inlined = {"windrow.wasm": packed((build / "simd/windrow_page.wasm").read_bytes()),
-               "windrow_plain.wasm": packed((build / "plain/windrow_page.wasm").read_bytes()), "worker.js": packed(worker.encode()),
-               **{f"scenes/{name}": packed(content) for name, content in files.items()}}
+def whole(build, html, app, files):
+    """One file: what the page fetches as gzip in base64."""
+    inlined = {name: packed(content) for name, content in files.items()}
     script = f"const INLINED = {json.dumps(inlined)};\n{app}".replace("</script", "<\\/script")
     notice = (ROOT / "NOTICE").read_text().replace("--", "- -")
     html = html.replace('<script src="app.js"></script>', f"<script>{script}</script>").replace("NOTICE.txt", "https://www.apache.org/licenses/LICENSE-2.0")
@@ -168,7 +212,7 @@ export async function load({simd = hasSimd()} = {}) {
     const {default: packed} = await (simd ? import("./simd.js") : import("./plain.js"));
     const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
     const stream = new Response(bytes).body.pipeThrough(new DecompressionStream("gzip"));
-    return instantiate(createWindrow, new Uint8Array(await new Response(stream).arrayBuffer()), description);
+    return instantiate(createWindrow, {wasmBinary: new Uint8Array(await new Response(stream).arrayBuffer())}, description);
 }
 """
 
@@ -206,13 +250,11 @@ def package(build):
 
 def sizes(folder):
     total = 0
-    for name in ("index.html", "app.js", "worker.js", "windrow.wasm"):
+    for name in ("index.html", "app.js", "worker.js", "windrow.lzma", "windrow_rest.lzma"):
         content = (folder / name).read_bytes()
-        small = len(gzip.compress(content, 9))
-        total += small
-        print(f"{name:20} {len(content):8} bytes, {small:7} gzipped")
-    print(f"{'page':20} {'':8}        {total:7} gzipped, {total / 1000:.0f} kB")
-    return total
+        small_size = len(gzip.compress(content, 9))
+        total += small_size
+        print(f"{name:20} {len(content):8} bytes, {small_size:7} gzipped; {total / 1000:.0f} kB up to here")
 
 
 def main():

@@ -68,20 +68,28 @@ def exports(header):
 
 
 def called(header, names):
-    """Those that the page calls by their whole names; of `windrow_wind_add_${kind}` and the like all that fit; defaults of settings."""
+    """Those that the page calls by their whole names; of `windrow_wind_add_${kind}` and the like those of the kinds that it makes; defaults
+    of settings."""
     text = "".join(path.read_text(encoding="utf-8") for folder in ("page", "package") for path in (ROOT / "bindings/web" / folder).glob("*.js"))
     words = set(re.findall(r"windrow_\w+(?:\$\{\w+\})?\w*", text))
-    forms = [re.compile(re.sub(r"\$\{\w+\}", r"\\w+", word) + "$") for word in words if "$" in word]
+    kinds = "|".join(kind for kind in set(re.findall(r'kind: "(\w+)"', text)) if f"windrow_{kind}_motor" in header.structs)
+    forms = [re.compile(re.sub(r"\$\{\w+\}", f"({kinds})", word) + "$") for word in words if "$" in word]
     structs = {f"{word}_init" for word in words}
     defaults = {name for name in names if name.endswith("_init") and header.file_of[name] in ("config.h", "motors.h")}
     return [name for name in names if name in words | structs | defaults or any(form.match(name) for form in forms)]
+
+
+def without_axes(names):
+    """The page has the library's own axes: of calls that convert, those behind the conversion."""
+    behind = set(re.findall(r"#define (\w+) own_", (ROOT / "c_api/source/axes_names.inl").read_text()))
+    return [f"own_{name}" if name in behind else name for name in names]
 
 
 def main():
     folder = pathlib.Path(sys.argv[1])
     header = Header(ROOT / "c_api")
     names = exports(header)
-    for file, chosen in (("package", names), ("page", called(header, names))):
+    for file, chosen in (("package", names), ("page", without_axes(called(header, names)))):
         (folder / f"{file}_exports.txt").write_text("".join(f"_{name}\n" for name in [*chosen, "malloc", "free"]))
     (folder / "interface.json").write_text(json.dumps(interface(header), separators=(",", ":")))
 

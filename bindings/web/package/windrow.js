@@ -49,9 +49,13 @@ export class Library {
         return this.text(this.module._windrow_version_string());
     }
 
+    /** A function of the module by its name in C. The page's module has those alone that convert no axes. */
+    function(name) {
+        return this.module["_" + name] ?? this.module["_own_" + name];
+    }
     /** Calls a function of the C interface; arguments are numbers, strings and addresses. A rejection is thrown. */
     call(name, ...values) {
-        const result = this.module["_" + name](...values.map((value) => (typeof value === "string" ? this.string(value) : value)));
+        const result = this.function(name)(...values.map((value) => (typeof value === "string" ? this.string(value) : value)));
         if (typeof result === "number" && result < 0) throw new Error(this.text(this.module._windrow_last_error()));
         return result;
     }
@@ -84,7 +88,7 @@ export class Library {
         return this.write(name, at, values);
     }
     reset(name, at) {
-        const init = this.module[`_${name}_init`];
+        const init = this.function(`${name}_init`);
         if (init) init(at, this.structs[name].size);
     }
     write(name, at, values) {
@@ -272,7 +276,7 @@ export class Wind {
     }
 }
 
-/** Makes a Library of a loader, its bytes of WebAssembly and the description of the C interface (interface.json). */
-export async function instantiate(createWindrow, wasmBinary, description) {
-    return new Library(await createWindrow({wasmBinary}), description);
+/** Makes a Library of a loader, what it takes of the module (`wasmBinary`), and the description of the C interface (interface.json). */
+export async function instantiate(createWindrow, taken, description) {
+    return new Library(await createWindrow(taken), description);
 }

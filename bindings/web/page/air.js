@@ -27,7 +27,7 @@ export class Air {
     constructor(library, text, files = {}) {
         this.library = library;
         this.description = JSON.parse(text);
-        for (const [name, bytes] of Object.entries(files)) library.module.FS.writeFile("/" + name, bytes);
+        for (const [name, bytes] of Object.entries(files)) library.module.files["/" + name] = bytes;
         this.scene = library.withBytes(new TextEncoder().encode(text), (at, size) =>
             library.handle("windrow_scene_parse", at, size, "/scene.json", 0));
         this.wind = Object.create(Wind.prototype);

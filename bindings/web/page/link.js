@@ -23,9 +23,10 @@ export async function fromLink(text) {
     const plain = text[0] === "1" ? await through(new DecompressionStream("deflate-raw"), bytes) : bytes;
     return JSON.parse(new TextDecoder().decode(plain));
 }
+export const isInlined = typeof INLINED !== "undefined";
 /** What the single file holds inlined, else what a server or a folder has. */
 export async function fetchFile(name) {
-    if (typeof INLINED !== "undefined" && name in INLINED) return (await through(new DecompressionStream("gzip"), bytesOf(INLINED[name]))).buffer;
+    if (isInlined && name in INLINED) return (await through(new DecompressionStream("gzip"), bytesOf(INLINED[name]))).buffer;
     const answer = await fetch(name);
     if (!answer.ok) throw new Error(`${name}: the server answered ${answer.status}`);
     return answer.arrayBuffer();

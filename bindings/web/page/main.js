@@ -6,7 +6,7 @@ import {Overlays, Field} from "./overlays.js";
 import {Hands} from "./hands.js";
 import {Panel} from "./panel.js";
 import {Graph, drawErrors} from "./graph.js";
-import {fetchFile, fromLink, toLink} from "./link.js";
+import {fetchFile, fromLink, isInlined, toLink} from "./link.js";
 import {FAN_HEIGHT, MAKES, UNITS_A_SECOND, bodiesOf} from "./made.js";
 
 const MOST_SECONDS = 0.1; // of a frame: a tab that was hidden goes on, without what it missed
@@ -34,11 +34,14 @@ class Page {
     }
     async begin() {
         const simd = WebAssembly.validate(new Uint8Array(SIMD_PROBE));
-        const [script, wasm] = await Promise.all([fetchFile("worker.js"), fetchFile(simd ? "windrow.wasm" : "windrow_plain.wasm")]);
+        const form = simd ? "windrow" : "windrow_plain";
+        const later = `${form}_rest.lzma`;
+        const [script, wasm, rest] = await Promise.all([fetchFile("worker.js"), fetchFile(`${form}.lzma`),
+            isInlined ? fetchFile(later) : new URL(later, location.href).href]);
         this.worker = new Worker(URL.createObjectURL(new Blob([script], {type: "text/javascript"})));
         this.worker.onmessage = ({data}) => this.answered(data);
         this.worker.onerror = (event) => this.say(event.message, true);
-        const started = this.ask("begin", {wasm}, [wasm]);
+        const started = this.ask("begin", {wasm, rest}, [wasm]);
         this.device.ready();
         this.meadow.setQuality(this.startQuality);
         const {version} = await started;
@@ -46,6 +49,7 @@ class Page {
         const link = location.hash.length > 2 ? await fromLink(location.hash.slice(1)).catch(() => null) : null;
         await this.load(link?.scene ?? 0, {text: link?.text, frames: link?.frames, made: link?.made});
         requestAnimationFrame((now) => this.tick(now));
+        await this.ask("rest");
     }
     /** What acts on blades: slow machines leave out the ripples that are smaller than a cell. */
     get sampling() {

@@ -1,10 +1,11 @@
 // The worker: it owns the library and the air. One message in, one out; big arrays are handed over, not copied.
-import {instantiate} from "../package/windrow.js";
 import {Air} from "./air.js";
 import {UNITS_A_SECOND} from "./made.js";
+import {instantiateParts} from "./parts.js";
 import {runVortices} from "./vortices.js";
 
 let library = null;
+let parts = null; // of its module
 let air = null;
 let grass = null; // of the scene's plants: blade class, springs
 let lastHash = "";
@@ -63,8 +64,9 @@ function view({units, sampling, want = {}}) {
 }
 
 const calls = {
-    async begin({wasm}) {
-        library = await instantiate(createWindrow, wasm, INTERFACE);
+    async begin({wasm, rest}) {
+        parts = await instantiateParts(createWindrow, wasm, rest, INTERFACE);
+        library = parts.library;
         return [{version: library.version}];
     },
     load({text, files, plants, frames, sampling}) {
@@ -82,6 +84,10 @@ const calls = {
         if (frames) Object.assign(first, {hash: air.hash(), units: air.units});
         return [{...first, tile, cells: air.wind.box().cells, box: air.wind.box(), blade: grass.block, made: air.makes},
             [...transfer, ...(tile ? [tile.buffer] : [])]];
+    },
+    async rest() {
+        await parts.fetchRest();
+        return [{}];
     },
     frame({units, events, begins, sampling, want}) {
         if (begins) air.snapshot();
