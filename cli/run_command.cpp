@@ -222,8 +222,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                                           : Playback::create(*scene, pool->parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
-        // A device that has no room; a level around the box that is not outside of it is the scene's fault.
-        return backend.is_cpu() || !scene->outer.empty() ? k_exit_wrong_use : k_exit_machine;
+        // A device that has no room, unless the scene's winds do not fit into each other on the CPU either.
+        const bool fits = !backend.is_cpu() && (scene->outer.empty() || Playback::create(*scene, {}));
+        return fits ? k_exit_machine : k_exit_wrong_use;
     }
 
     const KeepText keep = snapshots ? KeepText::yes : KeepText::no;

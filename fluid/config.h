@@ -172,7 +172,7 @@ struct Config {
             Setting(
                 "interpolation", &Config::interpolation,
                 "Interpolation of the advection. linear: never overshoots, smooths. cubic: third order. cubic_32: reads 32 of "
-                "its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512."),
+                "its 64 cells, 1.00 to 1.05 of its error, less time without AVX-512."),
             Setting("max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
                     "Cells that the air may cross in one sub-step. Above 2 the backtrace may miss thin motors; large values are "
                     "for tests "

@@ -99,8 +99,17 @@ Result<Wind> Wind::create(const Config& wanted, std::shared_ptr<const Wind> oute
     });
 }
 
+OuterUndo::OuterUndo(std::shared_ptr<const Wind> outer)
+    : outer_(outer && !outer->state().cells.keeps_pressure() ? std::move(outer) : nullptr) {}
+
+OuterUndo::~OuterUndo() {
+    if (outer_)
+        outer_->state().cells.drop_pressure();
+}
+
 Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
+        OuterUndo undo(outer);
         const Config config = outer ? detail::config_within(wanted, *outer) : wanted;
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
@@ -111,7 +120,9 @@ Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer)
             return ambient.failure();
         if (outer)
             ambient->set_phase(outer->ambient_wind().phase());
-        return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient, std::move(outer)));
+        Wind wind(std::make_unique<State>(config, *std::move(workspace), *ambient, std::move(outer)));
+        undo.succeed();
+        return wind;
     });
 }
 

@@ -457,7 +457,7 @@ Result<std::vector<std::byte>> Wind::save() const {
 
 Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for, std::shared_ptr<const Wind> outer) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
-        OuterUndo undo(outer.get());
+        OuterUndo undo(outer);
         const auto content = detail::unseal(bytes, k_format);
         if (!content)
             return content.failure();
@@ -481,7 +481,7 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         if (reader.rejected())
             return rejected(reader.reason());
         wind->state().core.renew_ambient();
-        undo.cells = nullptr;
+        undo.succeed();
         return wind;
     });
 }

@@ -13,18 +13,4 @@ struct WINDROW_HIDDEN Wind::State {
     cpu::Cells cells;
 };
 
-/// Where no wind comes to be inside it, an outer wind keeps no pressure, as before.
-struct OuterUndo {
-    explicit OuterUndo(const Wind* outer)
-        : cells(outer != nullptr && !outer->state().cells.keeps_pressure() ? &outer->state().cells : nullptr) {}
-    OuterUndo(const OuterUndo&) = delete;
-    OuterUndo& operator=(const OuterUndo&) = delete;
-    ~OuterUndo() {
-        if (cells != nullptr)
-            cells->drop_pressure();
-    }
-
-    cpu::Cells* cells;
-};
-
 } // namespace windrow

@@ -43,10 +43,10 @@ class SceneAir {
     /// its end; motors and obstacles whose time holds the middle are added, others removed. One that ended by itself does not
     /// begin again. Wakes sweep from where they were.
     Result<void> advance_to(WindControl& wind, double end);
+    /// For a step of another wind before the first frame: what acts at time() is put into it.
+    Result<void> hold(WindControl& wind) { return place(wind, state_.time); }
     /// Air before the first frame: at least `seconds` in equal steps of 1 / `hz`, with all that acts at time() and nothing that
     /// moves. `step` advances the wind by `dt` [s]; `left` more steps follow.
-    /// One of these steps of another wind: what acts at time() is in it.
-    Result<void> hold(WindControl& wind) { return place(wind, state_.time); }
     using Step = std::function<Result<void>(double dt, std::int64_t left)>;
     Result<void> warm_up(WindControl& wind, double seconds, double hz, const Step& step);
 

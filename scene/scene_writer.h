@@ -21,7 +21,7 @@ struct WrittenScene {
 };
 
 /// JSON. Rejects what a scene file cannot hold or names by a file of its own: wakes, which have a path; meshes, voxel grids, grounds and
-/// maps of roughness. The winds around the wind are written as `air.outer`. A scene has one config but for their boxes and ticks, one
+/// maps of roughness. The winds around the wind are written as `air.outer`. A scene has one config for all, with boxes and ticks of their own, one
 /// point that all are around, and puts motors, obstacles and drag into all levels: rejects outer winds that are otherwise. What is in
 /// the wind alone and wider than a cell of an outer wind is played in that too.
 [[nodiscard]] Result<std::string> write_scene(const WindControl& wind, const WrittenScene& times);

@@ -16,12 +16,12 @@ constexpr const char* k_left_to_all[] = {
     "WindObstacles.AVentAndAFan*:WindObstacles.AWalkAlongFences*",        // block_beside_drives, random_0; tiles, AWalkOverHills
     "Scenes/FrameRate.*/gusts_fan:FrameRateOfASlideShow.*",               // GrassSwing, FrameRateUntouched; Golden at 6 fps
     "*PictureBackends.*/fur_ball:*PictureBackends.*/grove",               // that of the fan in gusts
-    "*AirBackends.*/wolf:*AirBackends.*/wake",                            // those of the train and of the meadow
+    "*AirBackends.*/wolf:*AirBackends.*/wake:*AirBackends.*/meadow",      // that of the train
     "*Repeat.*/grove:*Repeat.*/steady_trail:*Repeat.*/far_hills",         // those of the fan and of the slice
     "CoatGaps.TheWalkBetweenLayersClosesTheS*:CoatCost.FragmentsAPixel*", // the same walk: gaps of a plane, the order of layers
     "Terrain.AWalkOfAKilometre*",                                         // Terrain.IsTheSame*, WindObstacles.AWalkOverHills
     "WindBarriers.*AmongObstacles",                                       // WindBarriers.EachIsMissedWhereItIsLeftOut
-    "*AirBackends.*/meadow:StrandsOutside.OfTheBunny",                    // that of the train; StrandsOutside.NoTuftJumps
+    "StrandsOutside.OfTheBunny",                                          // StrandsOutside.NoTuftJumps
 };
 
 // Tests of four seconds and more. Shorter ones run the same code, one or two of each of these kinds.

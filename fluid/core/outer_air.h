@@ -39,4 +39,17 @@ class OuterAir {
 /// Of a box inside the cells of `outer`, which outlives it and keeps its pressure from now on. Throws std::bad_alloc.
 [[nodiscard]] WINDROW_INTERNAL std::unique_ptr<OuterAir> outer_air_of(const Box& box, const Wind& outer);
 
+/// Where no wind comes to be inside it, an outer wind keeps no pressure, as before.
+class WINDROW_INTERNAL OuterUndo {
+  public:
+    explicit OuterUndo(std::shared_ptr<const Wind> outer);
+    OuterUndo(const OuterUndo&) = delete;
+    OuterUndo& operator=(const OuterUndo&) = delete;
+    ~OuterUndo();
+    void succeed() { outer_.reset(); }
+
+  private:
+    std::shared_ptr<const Wind> outer_; ///< null: nothing is to be undone
+};
+
 } // namespace windrow

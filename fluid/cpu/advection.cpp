@@ -83,7 +83,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     }
     const auto advect_plane = state.kernels->advect_plane[static_cast<std::size_t>(transport.interpolation)];
     state.parallel_for(state.box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_one_sided(task, false, transport.interpolation != Interpolation::linear);
+    state.advect_one_sided(task, false, transport.interpolation);
 }
 
 } // namespace windrow

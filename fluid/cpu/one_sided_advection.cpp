@@ -21,7 +21,7 @@ namespace {
 struct SidedAir {
     const Workspace::State& state;
     const cpu::AdvectTask& task;
-    bool room;
+    bool room, of_32; ///< of a closed room; Interpolation::cubic_32
 };
 
 template <int Components>
@@ -147,7 +147,7 @@ vec<Components, float> open_read(const SidedField<Components>& field, const Wind
     for (int z = k_first; z < k_first + Count; ++z)
         for (int y = k_first; y < k_first + Count; ++y)
             for (int x = k_first; x < k_first + Count; ++x)
-                sum += nodes.weights[z].z * nodes.weights[y].y * nodes.weights[x].x * (value(x, y, z) - own);
+                sum += windrow_weight(nodes, x, y, z) * (value(x, y, z) - own);
     if (!windrow_is_clamped(field))
         return own + sum;
     vec<Components, float> least = own, most = own;
@@ -164,7 +164,7 @@ vec<Components, float> open_read(const SidedField<Components>& field, const Wind
 template <int Count, int Components>
 vec<Components, float> read(const SidedField<Components>& field, ivec3 from, const WindrowWaypoint& at, bool own_side,
                             bool& mixed, bool skips_open = false) {
-    const WindrowNodes nodes = windrow_nodes(from, at, Count == 4);
+    const WindrowNodes nodes = windrow_nodes(from, at, Count == 4, Count == 4 && field.air.of_32);
     const ivec3 low = nodes.base + nodes.first - 1;
     if (!open_around(field.air, low, low + Count - 1))
         return windrow_one_sided(field, nodes, !own_side, mixed);
@@ -214,13 +214,14 @@ float Workspace::State::fastest_by_rows(const float* velocity) const {
     return most;
 }
 
-void Workspace::State::advect_one_sided(const cpu::AdvectTask& task, bool scalar, bool cubic) {
+void Workspace::State::advect_one_sided(const cpu::AdvectTask& task, bool scalar, Interpolation interpolation) {
     if (!has_solids())
         return;
     const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
     const auto advect = [&](std::span<const std::uint32_t> cells, bool rooms) {
         constexpr std::size_t k_chunk = 64;
-        const numerics::SidedAir air{*this, task, rooms};
+        const numerics::SidedAir air{*this, task, rooms, interpolation == Interpolation::cubic_32};
+        const bool cubic = interpolation != Interpolation::linear;
         const auto advect_cell = scalar ? (cubic ? numerics::advect_cell<1, 4> : numerics::advect_cell<1, 2>)
                                         : (cubic ? numerics::advect_cell<4, 4> : numerics::advect_cell<4, 2>);
         parallel_for(static_cast<int>((cells.size() + k_chunk - 1) / k_chunk), [&](int chunk) {

@@ -193,7 +193,7 @@ void OuterWind::fill_brick(const AirOfNow& air) {
                static_cast<std::size_t>(in_brick.x)] += glm::vec4(change, 0.0f);
     };
     air.for_each_filled(std::ref(fill)); // no copy: a step does not allocate
-    // Not what is no wind: the outer wind's next step repairs or limits it.
+    // What is not finite or too fast stays out: the outer wind's next step repairs or limits it.
     for (glm::vec4& at_cell : brick_)
         if (!(std::abs(at_cell.x) + std::abs(at_cell.y) + std::abs(at_cell.z) < k_no_wind &&
               std::abs(at_cell.w) < k_no_wind * k_no_wind))

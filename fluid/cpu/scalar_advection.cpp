@@ -49,7 +49,7 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
     task.clamped = transport.clamped;
     const auto advect_plane = state.kernels->advect_scalar_plane[static_cast<std::size_t>(transport.interpolation)];
     state.parallel_for(box.cells.z, [&](int plane) { advect_plane(task, plane); });
-    state.advect_one_sided(task, true, transport.interpolation != Interpolation::linear);
+    state.advect_one_sided(task, true, transport.interpolation);
     return {};
 }
 

@@ -131,7 +131,7 @@ struct WINDROW_HIDDEN Workspace::State {
     void set_obstacles(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     void still_rooms(const cpu::PadTask& pad);
     [[nodiscard]] float fastest_by_rows(const float* velocity) const;
-    void advect_one_sided(const cpu::AdvectTask& task, bool scalar, bool cubic);
+    void advect_one_sided(const cpu::AdvectTask& task, bool scalar, Interpolation interpolation);
     [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box}; }
     [[nodiscard]] bool has_solids() const { return solids && solids->any(); }
     /// Sum of the planes' reductions, in order of the planes.

@@ -1,6 +1,6 @@
 // The outer wind around the box: the host samples it (fluid/core/outer_air.h) and uploads D and p of the padded box behind the gust
 // tile, where shaders/fluid/outer.glsl reads them. There are two fields, of a tick's start and end; the end is the next one's start,
-// so that a tick uploads one of them: 16 bytes a padded cell, 450 KiB of the default window.
+// so that a tick uploads one of them, or both after a shift: 16 bytes a padded cell, 450 KiB of the default window.
 #include "fluid/vulkan/air.h"
 
 namespace windrow::vulkan {

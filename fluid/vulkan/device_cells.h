@@ -41,6 +41,8 @@ class DeviceCells final : public CellStorage {
     void end();
     /// Air that sleeps becomes what blows now. False where it is that already.
     bool materialise_gusts();
+    /// In an outer wind, air that was filled and not stepped since becomes what blows now, as on the CPU.
+    void refill(const AmbientWind& ambient, const Window& window);
     /// Nothing that was recorded counts.
     void forget();
     /// The next recording begins with this air; nothing else waits.
@@ -56,8 +58,6 @@ class DeviceCells final : public CellStorage {
   private:
     static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
 
-    /// In an outer wind, air that was filled and not stepped since is what blows now, as on the CPU.
-    void refill(const AmbientWind& ambient, const Window& window);
     /// Records now, or with the next frame.
     void record(const CellChange& change);
     void report_ambient(const CellStep& step, Diagnostics& report) const;

@@ -121,6 +121,7 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
 Result<Wind> Wind::make(const Host& host, const Config& wanted, const Settings& settings,
                         std::shared_ptr<const windrow::Wind> outer) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
+        OuterUndo undo(outer);
         const Config config = outer ? windrow::detail::config_within(wanted, *outer) : wanted;
         if (auto checked = check(config, settings, nullptr); !checked)
             return checked.failure();
@@ -143,6 +144,7 @@ Result<Wind> Wind::make(const Host& host, const Config& wanted, const Settings& 
             state->clock = *std::move(clock);
             cells.set_clock(&*state->clock);
         }
+        undo.succeed();
         return Wind(std::move(state));
     });
 }

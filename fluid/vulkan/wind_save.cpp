@@ -21,6 +21,7 @@ void Wind::State::record_save(VkCommandBuffer commands) {
             return;
         }
         cells.materialise_gusts();
+        cells.refill(core.ambient, core.window());
         auto draft = draft_snapshot(core, cells.air->fresh(), surface, level_state());
         save.emplace(WindSave{.slot = slot, .air = *std::move(air), .draft = std::move(draft), .shown = {}});
         if (core.frames)
@@ -152,6 +153,7 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
 Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, const Settings& settings,
                         std::shared_ptr<const windrow::Wind> outer) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
+        OuterUndo undo(outer);
         auto saved = windrow::Wind::load(bytes, {}, outer);
         if (!saved)
             return saved.failure();
@@ -160,6 +162,7 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
             return wind;
         if (auto taken = wind->state().continue_from(windrow::loaded(*saved)); !taken)
             return taken.failure();
+        undo.succeed();
         return wind;
     });
 }

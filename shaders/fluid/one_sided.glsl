@@ -61,7 +61,7 @@ bool open_around(ivec3 low, ivec3 high) {
 
 // The field at a point, by the nodes of its own side, or by all. `mixed` is set where one was on another.
 vec3 one_sided_read(WindrowSidedField field, ivec3 from, WindrowWaypoint at, bool cubic, bool own_side, inout bool mixed) {
-    const WindrowNodes nodes = windrow_nodes(from, at, cubic);
+    const WindrowNodes nodes = windrow_nodes(from, at, cubic, cubic && is_on(WINDROW_CUBIC_32));
     const ivec3 low = nodes.base + nodes.first - 1;
     return windrow_one_sided(field, nodes, !own_side || open_around(low, low + nodes.count - 1), mixed);
 }

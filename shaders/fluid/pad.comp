@@ -3,8 +3,8 @@
 //   R = ambient + g (carried - ambient) - s q + change at departure      V = (1 + s) u - s u_old
 //
 // A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind. With
-// gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile. In an outer wind
-// what is beyond open boundaries is that (outer.glsl).
+// gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile.
+// Where another wind is around the box, that one is beyond its open boundaries (outer.glsl).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 10

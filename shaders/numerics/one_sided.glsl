@@ -53,7 +53,9 @@ struct WindrowNodes {
     ivec3 own;       // the node of the point's own cell, 1 or 2
     int first;       // 0 cubic, 1 linear
     int count;       // 4 or 2
+    bool of_32;      // of the 64 nodes those alone that a linear read has along two axes (Interpolation::cubic_32)
     vec3 weights[4]; // by node, of each axis
+    vec3 between;    // the weights of node 2 in a linear read
 };
 
 const int windrow_most_crossings = 512;
@@ -125,7 +127,7 @@ WINDROW_FN WindrowWaypoint windrow_straight(WINDROW_AIR air, ivec3 from, vec3 di
     return at;
 }
 
-WINDROW_FN WindrowNodes windrow_nodes(ivec3 from, WindrowWaypoint at, bool cubic) {
+WINDROW_FN WindrowNodes windrow_nodes(ivec3 from, WindrowWaypoint at, bool cubic, bool of_32) {
     vec3 whole = floor(at.place);
     vec3 t = at.place - whole;
     WindrowNodes nodes;
@@ -133,6 +135,8 @@ WINDROW_FN WindrowNodes windrow_nodes(ivec3 from, WindrowWaypoint at, bool cubic
     nodes.own = clamp(at.cell - nodes.base, ivec3(0), ivec3(1)) + 1;
     nodes.first = cubic ? 0 : 1;
     nodes.count = cubic ? 4 : 2;
+    nodes.of_32 = of_32;
+    nodes.between = t;
     nodes.weights[0] = vec3(0.0f);
     nodes.weights[2] = t;
     nodes.weights[3] = vec3(0.0f);
@@ -144,6 +148,18 @@ WINDROW_FN WindrowNodes windrow_nodes(ivec3 from, WindrowWaypoint at, bool cubic
     }
     nodes.weights[1] = 1.0f - (nodes.weights[0] + nodes.weights[2] + nodes.weights[3]);
     return nodes;
+}
+
+WINDROW_FN float windrow_linear_weight(float between, int node) {
+    return node == 1 ? 1.0f - between : node == 2 ? between : 0.0f;
+}
+
+WINDROW_FN float windrow_weight(WindrowNodes nodes, int x, int y, int z) {
+    if (!nodes.of_32)
+        return nodes.weights[z].z * nodes.weights[y].y * nodes.weights[x].x;
+    float lx = windrow_linear_weight(nodes.between.x, x), ly = windrow_linear_weight(nodes.between.y, y),
+          lz = windrow_linear_weight(nodes.between.z, z);
+    return nodes.weights[x].x * ly * lz + lx * ((nodes.weights[y].y - ly) * lz + ly * (nodes.weights[z].z - lz));
 }
 
 // Nodes 0 to 3 in an order in which the own one, 1 or 2, comes first: 1, 2, 0, 3, or mirrored.
@@ -196,7 +212,7 @@ WINDROW_FIELD_FN WINDROW_VALUE windrow_one_sided(WINDROW_FIELD field, WindrowNod
     for (int z = nodes.first; z < end; ++z)
         for (int y = nodes.first; y < end; ++y)
             for (int x = nodes.first; x < end; ++x)
-                sum += nodes.weights[z].z * nodes.weights[y].y * nodes.weights[x].x * (values[(z * 4 + y) * 4 + x] - own);
+                sum += windrow_weight(nodes, x, y, z) * (values[(z * 4 + y) * 4 + x] - own);
     if (!windrow_is_clamped(field))
         return own + sum;
     for (int corner = 0; corner < 8; ++corner) {

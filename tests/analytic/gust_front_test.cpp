@@ -189,9 +189,12 @@ TEST(GustFront, FaintGustsChangeNothingBesideBodies) {
     double worst = 0.0;
     std::string where;
     for (const test::scenario_parts::NamedShape& shape : test::scenario_parts::scenario_shapes())
-        for (const Way way : {Way::rests, Way::moves, Way::turns}) {
+        for (const auto& [way, interpolation] :
+             {std::pair(Way::rests, Interpolation::cubic), std::pair(Way::moves, Interpolation::cubic),
+              std::pair(Way::turns, Interpolation::cubic), std::pair(Way::turns, Interpolation::cubic_32)}) {
             const Scenario row = test::scenario_parts::obstacle_scenario(shape, way, {-3.0, 0.2, 1.0});
             Config config = scenario_config();
+            config.interpolation = interpolation;
             Wind calm = made(config);
             config.gusts.intensity = 1e-4f;
             Wind gusty = made(config);

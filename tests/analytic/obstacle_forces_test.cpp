@@ -228,8 +228,8 @@ double pressed(Wind& wind, std::span<const float> pressure) {
 }
 
 // What the wind loses between planes around a body is the force on it; a cube's wind loses a fifth more, within three cells of it,
-// where reads do not keep momentum, and the pressure across a plate is that force. A pressure that is solved for from its gradient alone misses a twelfth of the jump; it also slopes through all of the box, so that planes beyond each
-// other lose different momenta.
+// where reads do not keep momentum, and the pressure across a plate is that force. A pressure that is solved for from its gradient
+// alone misses a twelfth of the jump; it also slopes through all of the box, so that planes beyond each other lose different momenta.
 TEST(ObstacleForces, AreThePressureAndTheMomentumLost) {
     constexpr double k_cell = 0.25, k_dt = 1.0 / 60.0;
     constexpr glm::ivec3 k_low(8, 6, 6), k_high(48, 26, 26);

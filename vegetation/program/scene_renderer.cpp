@@ -64,7 +64,7 @@ Result<void> SceneRenderer::make() {
         if (!levels)
             return levels.failure();
         levels_.emplace(*std::move(levels));
-        air.ambient = levels_->inner_config().ambient; // the outermost level's
+        air.ambient = levels_->inner_config().ambient; // that of the winds around it
         air.profile.reset();
         air.gusts = {.tile = air.gusts.tile};
     }

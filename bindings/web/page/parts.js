@@ -8,12 +8,13 @@ import {unpacked} from "./unpack.js";
 
 /** The library of the packed bytes of the first part; `rest` is the address of the other, or its packed bytes. */
 export async function instantiateParts(createWindrow, first, rest, description) {
-    let exports = null;
+    let exports = null, fails;
+    const failure = new Promise((_, reject) => (fails = reject));
     const load = (packed) => {
         if (exports === null || !rest) return;
         const bytes = unpacked(new Uint8Array(packed ?? (typeof rest === "string" ? fetchNow(rest) : rest)));
-        rest = null;
         new WebAssembly.Instance(new WebAssembly.Module(bytes), {primary: exports});
+        rest = null; // what failed is tried again by the next call
     };
     const late = (index) => (...values) => {
         load();
@@ -21,14 +22,22 @@ export async function instantiateParts(createWindrow, first, rest, description) 
     };
     const instantiateWasm = (imports, made) => {
         const placeholder = new Proxy({}, {get: (_, index) => late(index)});
-        WebAssembly.instantiate(unpacked(new Uint8Array(first)), {...imports, placeholder}).then(({instance, module}) => {
+        // Emscripten keeps what is thrown here to itself, and would wait for `made`.
+        (async () => {
+            const {instance, module} = await WebAssembly.instantiate(unpacked(new Uint8Array(first)), {...imports, placeholder});
             exports = instance.exports;
             made(instance, module);
-        });
+        })().catch(fails);
         return {};
     };
-    const library = await instantiate(createWindrow, {instantiateWasm}, description);
-    return {library, load, fetchRest: async () => typeof rest === "string" && load(await (await fetch(rest)).arrayBuffer())};
+    const library = await Promise.race([instantiate(createWindrow, {instantiateWasm}, description), failure]);
+    const fetchRest = async () => {
+        if (typeof rest !== "string") return;
+        const answer = await fetch(rest);
+        if (!answer.ok) throw new Error(`${rest}: the server answered ${answer.status}`);
+        load(await answer.arrayBuffer());
+    };
+    return {library, load, fetchRest};
 }
 
 function fetchNow(address) {
