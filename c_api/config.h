@@ -237,7 +237,7 @@ typedef struct windrow_config {
        classic split, first order. */
     windrow_scheme scheme;
     /* Default WINDROW_INTERPOLATION_CUBIC. Interpolation of the advection. linear: never overshoots, smooths. cubic: third
-       order. cubic_32: reads 32 of its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512. */
+       order. cubic_32: reads 32 of its 64 cells, 1.00 to 1.05 of its error, less time without AVX-512. */
     windrow_interpolation interpolation;
     /* A number above 0, at most 1e6, default 2. Cells that the air may cross in one sub-step. Above 2 the backtrace may miss
        thin motors; large values are for tests of the raw step. */

@@ -275,7 +275,7 @@ class Config(Settings):
     """Time scheme. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first order."""
     interpolation: Interpolation = "cubic"
     """Interpolation of the advection. linear: never overshoots, smooths. cubic: third order. cubic_32: reads 32 of
-    its 64 cells, 1.00 to 1.05 of its error; less time on a device and without AVX-512."""
+    its 64 cells, 1.00 to 1.05 of its error, less time without AVX-512."""
     max_cfl: float = 2.0
     """A number above 0, at most 1e6. Cells that the air may cross in one sub-step. Above 2 the backtrace may miss
     thin motors; large values are for tests of the raw step."""
