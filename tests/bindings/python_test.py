@@ -437,7 +437,7 @@ class Operators(unittest.TestCase):
                                (lambda: work.advect_scalar(wind, wind, 0.1), "carried has shape (2, 3, 4, 3): give (2, 3, 4)"),
                                (lambda: work.advect(wind, wind, -1.0), "dt is -1 s"),
                                (lambda: work.diffuse(wind, math.nan, 1.0), "viscosity is nan"),
-                               (lambda: work.advect(wind, wind, 0.1, interpolation="spline"), "give 'linear' or 'cubic'"),
+                               (lambda: work.advect(wind, wind, 0.1, interpolation="spline"), "give 'linear', 'cubic' or 'cubic_32'"),
                                (lambda: work.set_ambient((math.nan, 0, 0)), "ambient is")):
             self.assertIn(expected, sentence_of(self, call))
         self.assertIn("transport.outside is nan", sentence_of(self, lambda: work.advect_scalar(wind[..., 0], wind, 0.1, outside=math.nan)))

@@ -155,7 +155,7 @@ TEST(CApi, OperatorsRejectFieldsThatDoNotFit) {
     transport.carried = transport.velocity = wind.data();
     transport.dt = -1.0f;
     transport.interpolation = 7;
-    rejects(windrow_advect(work.get(), &transport, wind.data(), 64), "transport.interpolation is 7: give 0 to 1.");
+    rejects(windrow_advect(work.get(), &transport, wind.data(), 64), "transport.interpolation is 7: give 0 to 2.");
 }
 
 // Defaults are those of C++, to the bit.
