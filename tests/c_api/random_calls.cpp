@@ -381,7 +381,8 @@ void World::must_heal(windrow_wind* wind) {
             fail("air that is no number after ten steps");
     const std::string bytes = saved(wind);
     windrow_wind* again = nullptr;
-    if (windrow_wind_load(bytes.data(), bytes.size(), {}, &again) != WINDROW_OK && !std::strstr(windrow_last_error(), "outer"))
+    if (windrow_wind_load(bytes.data(), bytes.size(), {}, &again) != WINDROW_OK &&
+        !std::strstr(windrow_last_error(), "saved with an outer wind"))
         fail(std::string("own bytes are rejected: ") + windrow_last_error());
     windrow_wind_destroy(again);
 }

@@ -31,7 +31,7 @@ double seconds(const std::function<void()>& work) {
 
 /// Whether 4 n takes more than 6.25 times as long as n: 2.5 for each doubling, where a square takes 16. work(n) returns what is timed.
 bool grows(int n, const std::function<std::function<void()>(int)>& work) {
-    constexpr double k_most = 2.5 * 2.5, k_noise = 2e-3; // below a few milliseconds a clock shows noise
+    constexpr double k_most = 2.5 * 2.5, k_noise = 1.2e-3; // below a millisecond a clock shows noise
     return seconds(work(4 * n)) > k_most * std::max(seconds(work(n)), k_noise);
 }
 
