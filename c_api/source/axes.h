@@ -185,7 +185,8 @@ concept Sized = requires(Value value) {
 template <class Value>
 void turn_sized(Keep& keep, Way way, std::byte* memory, std::size_t size) {
     Value value{};
-    const std::size_t there = std::min(size, sizeof value);
+    // No struct of a host ends within a field; a size that does would leave a part of a pointer.
+    const std::size_t there = std::min(size, sizeof value) / alignof(Value) * alignof(Value);
     std::memcpy(static_cast<void*>(&value), memory, there);
     turn(keep, way, value);
     std::memcpy(memory, static_cast<const void*>(&value), there);

@@ -242,6 +242,25 @@ TEST(AxesInC, RowsCanopyAndRoughGroundAreTheSame) {
     });
 }
 
+// A size that ends within a field: what is left of a pointer is not followed.
+TEST(AxesInC, ASizeOfNoStructIsConvertedUpToItsLastField) {
+    WINDROW_AXES_OK(windrow_set_axes(WINDROW_AXES_Z_UP_LEFT, 0.01));
+    windrow_config config;
+    windrow_canopy canopy;
+    WINDROW_AXES_OK(windrow_config_init(&config, sizeof config));
+    WINDROW_AXES_OK(windrow_canopy_init(&canopy, sizeof canopy));
+    config.canopy = &canopy;
+    windrow_wind* wind = nullptr;
+    WINDROW_AXES_OK(windrow_wind_create(&config, &wind));
+    for (std::uint32_t size = 8; size <= sizeof config; ++size) {
+        windrow_config out{};
+        out.struct_size = size;
+        WINDROW_AXES_OK(windrow_wind_config(wind, &out));
+    }
+    windrow_wind_destroy(wind);
+    WINDROW_AXES_OK(windrow_set_axes(WINDROW_AXES_Y_UP_RIGHT, 1.0));
+}
+
 TEST(AxesInC, FollowedAxesAreTheHosts) {
     expect_same_for_all_hosts([](const Host& host, Record& record) {
         windrow_config config;
