@@ -26,7 +26,7 @@ void CountedCoats::draw(const render::PassContext& context) {
     render::VertexCounter& counter = counters_[colour ? 0u : 1u + static_cast<std::size_t>(context.cascade)];
     const auto slot = static_cast<std::uint32_t>(context.slot);
     if (counting) {
-        counter.enter(context.commands);
+        counter.enter(context.commands, "coats");
         if (colour) // without the precise bit, which the engine does not ask its device for: llvmpipe and GPUs count all the same
             vkCmdBeginQuery(context.commands, written_, slot, 0);
     }
@@ -41,7 +41,8 @@ void CountedCoats::draw(const render::PassContext& context) {
 }
 
 CoatCosts CountedCoats::collect(int slot) const {
-    CoatCosts costs{.colour = counters_[0].collect(slot), .shadow = {counters_[1].collect(slot), counters_[2].collect(slot)}};
+    const auto count = [&](std::size_t pass) { return render::sum_of(counters_[pass].collect(slot)); };
+    CoatCosts costs{.colour = count(0), .shadow = {count(1), count(2)}};
     engine::must(vkGetQueryPoolResults(objects_.device().handle(), written_, static_cast<std::uint32_t>(slot), 1,
                                        sizeof costs.written, &costs.written, sizeof costs.written, VK_QUERY_RESULT_64_BIT),
                  "vkGetQueryPoolResults");
