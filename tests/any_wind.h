@@ -2,6 +2,7 @@
 // game does to them on the way. The scenario table has each feature alone; this has those that nobody thought of together.
 #pragma once
 
+#include "tests/frame.h"
 #include "tests/scenario_parts.h"
 
 #include <algorithm>
@@ -37,109 +38,6 @@ class Chance {
     std::mt19937 random_;
 };
 
-/// A shape of the table, which is some cells wide, `factor` times as large.
-[[nodiscard]] inline Shape resized(Shape shape, float factor) {
-    if (auto* const ball = std::get_if<Sphere>(&shape))
-        ball->radius *= factor;
-    if (auto* const block = std::get_if<Block>(&shape))
-        block->half_size *= factor;
-    if (auto* const rod = std::get_if<Capsule>(&shape)) {
-        rod->half_axis *= factor;
-        rod->radius *= factor;
-    }
-    if (auto* const drum = std::get_if<Cylinder>(&shape)) {
-        drum->radius *= factor;
-        drum->half_length *= factor;
-    }
-    if (auto* const plate = std::get_if<Plate>(&shape))
-        plate->half_size *= factor;
-    if (auto* const mesh = std::get_if<MeshShape>(&shape))
-        mesh->scale = factor;
-    if (auto* const voxels = std::get_if<VoxelShape>(&shape))
-        voxels->cell_size *= factor;
-    return shape;
-}
-
-/// Where a scene is played: as it is, mirrored in x or z, turned about y by quarters, or moved a little.
-class Frame {
-  public:
-    [[nodiscard]] static Frame mirrored(int axis) {
-        Frame frame;
-        frame.to_[axis][axis] = -1.0;
-        return frame;
-    }
-    [[nodiscard]] static Frame turned(int quarters) {
-        Frame frame;
-        for (int n = 0; n < quarters; ++n)
-            frame.to_ = glm::dmat3({0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}) * frame.to_;
-        return frame;
-    }
-    [[nodiscard]] static Frame moved(glm::dvec3 by) {
-        Frame frame;
-        frame.by_ = by;
-        return frame;
-    }
-    [[nodiscard]] bool is_mirror() const { return glm::determinant(to_) < 0.0; }
-    [[nodiscard]] glm::dvec3 place(glm::dvec3 at) const { return to_ * at + by_; }
-    [[nodiscard]] glm::vec3 way(glm::vec3 along) const { return glm::vec3(to_ * glm::dvec3(along)); }
-    [[nodiscard]] glm::ivec3 cells(glm::ivec3 count) const { return glm::ivec3(glm::round(glm::abs(to_ * glm::dvec3(count)))); }
-    /// A body is mirrored in its own x too, so that it turns and is not turned inside out.
-    [[nodiscard]] glm::quat orientation(glm::quat of) const {
-        glm::dmat3 own(1.0);
-        own[0][0] = glm::determinant(to_);
-        return glm::normalize(glm::quat_cast(glm::mat3(to_ * glm::mat3_cast(glm::dquat(of)) * own)));
-    }
-    [[nodiscard]] Obstacle obstacle(Obstacle body) const {
-        body.position = place(body.position);
-        body.orientation = orientation(body.orientation);
-        if (auto* const rod = std::get_if<Capsule>(&body.shape); rod != nullptr && is_mirror())
-            rod->half_axis.x = -rod->half_axis.x;
-        return body;
-    }
-    /// Turbulence is left out: its eddies are where they are in the world.
-    [[nodiscard]] Motor motor(Motor motor) const {
-        std::visit(
-            [&](auto& kind) {
-                kind.position = place(kind.position);
-                if constexpr (requires { kind.turbulence; })
-                    kind.turbulence.intensity = 0.0f;
-                if constexpr (requires { kind.direction; })
-                    kind.direction = way(kind.direction);
-                if constexpr (requires { kind.axis; })
-                    kind.axis = static_cast<float>(glm::determinant(to_)) * way(kind.axis);
-            },
-            motor);
-        return motor;
-    }
-    [[nodiscard]] DragDeposit deposit(DragDeposit plant) const {
-        if (auto* const one = std::get_if<PlantDrag>(&plant))
-            one->position = place(one->position);
-        if (auto* const belt = std::get_if<BeltDrag>(&plant)) {
-            belt->start = place(belt->start);
-            belt->end = place(belt->end);
-        }
-        return plant;
-    }
-    [[nodiscard]] Boundaries boundaries(const Boundaries& of) const {
-        Boundaries to;
-        Boundary* const ends[] = {&to.x_low, &to.x_high, &to.y_low, &to.y_high, &to.z_low, &to.z_high};
-        for (int axis = 0; axis < 3; ++axis)
-            for (const int end : {0, 1}) {
-                glm::vec3 out(0.0f);
-                out[axis] = end == 0 ? -1.0f : 1.0f;
-                out = way(out);
-                for (int there = 0; there < 3; ++there)
-                    if (std::abs(out[there]) > 0.5f)
-                        *ends[2 * there + (out[there] > 0.0f ? 1 : 0)] = of.at(axis, end);
-            }
-        return to;
-    }
-
-  private:
-    glm::dmat3 to_{1.0};
-    glm::dvec3 by_{0.0}; ///< [m]
-};
-
 class AnyWind {
   public:
     explicit AnyWind(std::uint32_t seed, const std::optional<Frame>& frame = {}) : chance_(seed), frame_(frame) {
@@ -150,6 +48,8 @@ class AnyWind {
         choose_plants();
         choose_motors();
         choose_events();
+        choose_method();
+        choose_calls();
     }
 
     /// What a test plays. It copies all that it needs.
@@ -198,6 +98,13 @@ class AnyWind {
         int step = 0;
         Act act = Act::reset;
         glm::dvec3 by{0.0}; ///< numbers from -1 to 1, to whatever use
+    };
+    /// What few hosts do, in no frame.
+    enum class Call { shift_origin, set_floor, set_boundaries, set_velocity };
+    struct RareCall {
+        int step = 0;
+        Call call = Call::shift_origin;
+        glm::dvec3 by{0.0}; ///< the same
     };
 
     void choose_box() {
@@ -357,6 +264,49 @@ class AnyWind {
         }
     }
 
+    // The winds of a seed were chosen before this: it adds to them.
+    void choose_method() {
+        const auto maybe = [&](double probability, const char* word) {
+            const bool yes = chance_.happens(probability);
+            if (yes)
+                name_ += std::string(" ") + word;
+            return yes;
+        };
+        Config& c = config_;
+        if (maybe(0.2, "linear"))
+            c.interpolation = Interpolation::linear;
+        else if (maybe(0.4, "cubic_32"))
+            c.interpolation = Interpolation::cubic_32;
+        if (maybe(0.25, "solves"))
+            c.pressure_solves = chance_.whole(1, 4);
+        if (maybe(0.2, "cfl"))
+            c.max_cfl = chance_.size(0.3, 4.0);
+        if (maybe(0.2, "substeps"))
+            c.max_substeps = chance_.whole(1, 8);
+        if (maybe(0.2, "blend"))
+            c.blend_width = static_cast<float>(chance_.between(0.0, 5.0));
+        if (maybe(0.3, "ticks"))
+            c.ticks.hz = chance_.spread(12.0, 150.0);
+        if (maybe(0.1, "jumps"))
+            c.jump_speed = chance_.size(2.0, 30.0);
+        for (Motor& motor : motors_)
+            if (maybe(0.3, "eddies"))
+                std::visit(
+                    [&](auto& kind) {
+                        if constexpr (requires { kind.turbulence; })
+                            kind.turbulence.intensity = static_cast<float>(chance_.between(0.05, 0.5));
+                    },
+                    motor);
+    }
+
+    void choose_calls() {
+        for (int left = chance_.happens(0.5) ? chance_.whole(1, 3) : 0; left > 0; --left) {
+            const auto call = static_cast<Call>(chance_.whole(0, 3));
+            calls_.push_back({.step = chance_.whole(1, 15), .call = call, .by = chance_.in_cube()});
+            name_ += " call" + std::to_string(static_cast<int>(call)) + "@" + std::to_string(calls_.back().step);
+        }
+    }
+
     [[nodiscard]] Config framed_config() const {
         Config c = config_;
         if (!frame_)
@@ -397,11 +347,16 @@ class AnyWind {
 
     void step(WindControl& wind, int n) const {
         using scenario_parts::must;
+        if (!frame_)
+            for (const RareCall& each : calls_)
+                if (each.step == n)
+                    call(wind, each);
+        const glm::dvec3 origin = origin_at(n);
         const double time = (n + 1) * k_scenario_step;
         for (std::uint32_t slot = 0; slot < bodies_.size(); ++slot) {
             const Body& body = bodies_[slot];
             const glm::quat turn = glm::angleAxis(static_cast<float>(body.spin * time), glm::vec3(0.0f, 1.0f, 0.0f));
-            const glm::dvec3 at = body.obstacle.position + body.speed * time;
+            const glm::dvec3 at = origin + body.obstacle.position + body.speed * time;
             const glm::quat orientation = turn * body.obstacle.orientation;
             if (body.moves())
                 must(wind.obstacles().move(obstacle_id(slot), frame_ ? frame_->place(at) : at,
@@ -409,16 +364,58 @@ class AnyWind {
         }
         for (std::uint32_t slot = 0; slot < motors_.size(); ++slot)
             if (std::holds_alternative<WakeMotor>(motors_[slot]) && !(slot == 0 && removes_motor(n))) {
-                const glm::dvec3 at = position_of(motors_[slot]) + walk_ * time;
+                const glm::dvec3 at = origin + position_of(motors_[slot]) + walk_ * time;
                 must(wind.motors().move(motor_id(slot), frame_ ? frame_->place(at) : at));
             }
         if (walk_ != glm::dvec3(0.0) && !frame_)
-            must(wind.follow(walk_ * time));
+            must(wind.follow(origin + walk_ * time));
         for (const Event& event : events_)
             if (event.step == n)
                 act(wind, event);
         if (turns_ && n % 5 == 4)
             set_ambient(wind, {config_.ambient.x + 0.3f * static_cast<float>(n), 0.0f, config_.ambient.z});
+    }
+
+    // [m] How far the host's origin has moved by step n.
+    [[nodiscard]] glm::dvec3 origin_at(int n) const {
+        glm::dvec3 origin(0.0);
+        for (const RareCall& each : calls_)
+            if (!frame_ && each.call == Call::shift_origin && each.step <= n)
+                origin += way_of(each);
+        return origin;
+    }
+    [[nodiscard]] glm::dvec3 way_of(const RareCall& shift) const {
+        return glm::round(100.0 * shift.by) * glm::dvec3(h_, 0.0, h_);
+    }
+
+    void call(WindControl& wind, const RareCall& each) const {
+        using scenario_parts::must;
+        switch (each.call) {
+        case Call::shift_origin:
+            must(wind.shift_origin(way_of(each)));
+            return;
+        case Call::set_floor:
+            if (floor_)
+                must(wind.set_floor(3.0 * h_ * each.by.x));
+            return;
+        case Call::set_boundaries: {
+            Boundaries sides = wind.config().boundaries;
+            Boundary* const ends[] = {&sides.x_low, &sides.x_high, &sides.z_low, &sides.z_high};
+            Boundary& end = *ends[each.by.x < 0.0 ? (each.by.y < 0.0 ? 0 : 1) : (each.by.y < 0.0 ? 2 : 3)];
+            if (end.kind == BoundaryKind::free_slip || end.kind == BoundaryKind::no_slip)
+                end.kind = each.by.z < 0.0 ? BoundaryKind::open : BoundaryKind::free_slip;
+            else if (end.kind == BoundaryKind::open && walk_ == glm::dvec3(0.0))
+                end.kind = BoundaryKind::free_slip;
+            (void)wind.set_boundaries(sides); // a box that follows keeps its open sides
+            return;
+        }
+        case Call::set_velocity:
+            must(wind.set_velocity([&](glm::dvec3 centre) {
+                const glm::dvec3 at = (centre - origin_at(each.step)) / h_;
+                return glm::vec3(4.0 * each.by) * static_cast<float>(std::sin(at.x * 0.7) * std::cos(at.z * 0.5 + at.y));
+            }));
+            return;
+        }
     }
 
     [[nodiscard]] bool removes_motor(int n) const {
@@ -428,7 +425,7 @@ class AnyWind {
 
     void act(WindControl& wind, const Event& event) const {
         using scenario_parts::must;
-        const glm::dvec3 at = place(event.by);
+        const glm::dvec3 at = origin_at(event.step) + place(event.by);
         const glm::vec3 by(event.by);
         const auto h = static_cast<float>(h_);
         switch (event.act) {
@@ -490,6 +487,7 @@ class AnyWind {
     std::vector<Motor> motors_;
     glm::dvec3 walk_{0.0}; ///< [m/s]
     std::vector<Event> events_;
+    std::vector<RareCall> calls_;
 };
 
 } // namespace windrow::test

@@ -201,7 +201,7 @@ class Air {
     /// Rejects where there is no memory for the tables.
     [[nodiscard]] Result<NewBoundaries> prepare(const Boundaries& boundaries, bool kinds);
     /// From the next recording on. Another kind of side leaves the air without a past.
-    void set_boundaries(NewBoundaries&& boundaries);
+    void set_boundaries(VkCommandBuffer commands, NewBoundaries&& boundaries);
 
     // --- Frames in flight ------------------------------------------------------------------------------------------------------
     /// The following commands are of this slot; the earlier ones of this slot are done.
@@ -257,6 +257,8 @@ class Air {
     // Obstacles (air_obstacles.cpp)
     [[nodiscard]] int obstacle_flags() const { return solids_ ? solids_->flags() : 0; }
     /// As they are `early` [s] before the end of the step.
+    /// Other boundaries make other images, neighbours and rooms: the obstacles of the last step anew, in the cells that they were in.
+    void place_within_boundaries(VkCommandBuffer commands);
     void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
     void restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms,
                            std::span<const BodyLoad> loads);

@@ -40,6 +40,20 @@ void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::Plac
         solids_.reset();
 }
 
+void Air::place_within_boundaries(VkCommandBuffer commands) {
+    if (!solids_)
+        return;
+    bool written = false;
+    const bool placed = detail::memory_lasts([&] {
+        solids_->begin_anew(box(), true);
+        solids_->place(placed_, glm::ivec3(0));
+        written = write_obstacles(commands);
+    });
+    place_again_ = place_again_ || !(placed && written);
+    if (place_again_)
+        solids_.reset();
+}
+
 // As Cells::uncover of the CPU.
 void Air::uncover(VkCommandBuffer commands, int substep) {
     if (!solids_ || !solids_->any() || inside_is_air_)

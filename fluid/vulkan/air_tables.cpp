@@ -83,7 +83,8 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
     if (change.kept && !keeps_)
         field(WINDROW_LIFT_BEFORE, true);
     if (solids_) { // no list of theirs holds in other rows
-        solids_.reset();
+        if (!detail::memory_lasts([&] { solids_->begin_anew(box(), false); }))
+            solids_.reset();
         unplaced_shift_ = glm::ivec3(0);
         place_again_ = reading_stale_ = true;
     }
@@ -131,25 +132,21 @@ Result<Air::NewBoundaries> Air::prepare(const Boundaries& boundaries, bool kinds
     return prepared;
 }
 
-void Air::set_boundaries(NewBoundaries&& boundaries) {
+void Air::set_boundaries(VkCommandBuffer commands, NewBoundaries&& boundaries) {
     config_.boundaries = boundaries.boundaries;
     rules_ = std::move(boundaries.rules);
     rules_written_ = false;
     if (!boundaries.tables)
         return;
-    reading_stale_ = true;
     tables_ = std::move(boundaries.tables);
-    if (solids_) { // another periodic axis is another neighbour
-        solids_.reset();
-        place_again_ = true;
-    }
     passes_.set_tables(*tables_);
     if (piece_slot_ >= 0 && piece_slot_ != slot_)
         retired_.push_back({std::move(piece_), piece_slot_});
     piece_ = std::move(boundaries.piece);
     piece_slot_ = -1;
     tables_written_ = false;
-    fresh_ = true;
+    fresh_ = inside_is_air_ = reading_stale_ = true;
+    place_within_boundaries(commands);
 }
 
 void Air::begin(int slot) {

@@ -169,7 +169,7 @@ bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
         air->restore(commands, *std::move(restored_), wind_.ambient, wind_.window());
     restored_.reset();
     if (new_sides_)
-        air->set_boundaries(*std::move(new_sides_));
+        air->set_boundaries(commands, *std::move(new_sides_));
     new_sides_.reset();
     queue_.record(*air, commands);
     return waited;

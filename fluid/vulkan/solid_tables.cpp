@@ -36,6 +36,13 @@ int SolidTables::flags() const {
            (moves ? WINDROW_BODIES_MOVE : 0);
 }
 
+void SolidTables::begin_anew(const Box& box, bool keeps_faces) {
+    solids_ = Solids(box, box.cells.x);
+    box_ = box;
+    if (!keeps_faces)
+        keys_.clear();
+}
+
 void SolidTables::place(std::span<const detail::PlacedObstacle> obstacles, glm::ivec3 shift) {
     solids_.place(obstacles, shift);
     keys_before_.swap(keys_);

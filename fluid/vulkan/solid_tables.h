@@ -35,6 +35,9 @@ class SolidTables {
 
     /// Closed faces, as SurfaceHistory names them: 4 times the low cell, plus the axis; sorted.
     [[nodiscard]] std::span<const std::uint32_t> keys() const { return keys_; }
+    /// Drops all lists, for other boundaries or rows at another height. Bodies keep their names until the next placement, and closed faces
+    /// theirs where `keeps_faces`. Throws std::bad_alloc.
+    void begin_anew(const Box& box, bool keeps_faces);
     /// The faces of a wind that was loaded, before the first placement.
     void set_keys(std::vector<std::uint32_t> keys) { keys_ = std::move(keys); }
 
