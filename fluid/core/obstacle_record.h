@@ -38,6 +38,26 @@ template <class Number>
     return std::abs(glm::length(glm::dquat(orientation)) - 1.0) < 1e-3;
 }
 
+/// As a tick of the wind places bodies: those that meet the box grown by some cells.
+[[nodiscard]] inline bool is_in_reach(const PlacedObstacle& body, const Box& box) {
+    const Extent extent = extent_of(body);
+    const glm::vec3 size = box.size(), margin(4.0f * box.cell_size);
+    bool meets = true;
+    for (int axis = 0; axis < 3; ++axis)
+        meets =
+            meets && (box.boundaries.periodic(axis) ? std::abs(body.position[axis]) <= 2.0f * size[axis]
+                                                    : body.position[axis] + extent.high[axis] >= -margin[axis] &&
+                                                          body.position[axis] + extent.low[axis] <= size[axis] + margin[axis]);
+    return meets;
+}
+
+/// The bodies of a placement, seen from a box that has moved by `way` [m] since: those in its reach.
+inline void follow_box(std::vector<PlacedObstacle>& placed, glm::vec3 way, const Box& box) {
+    for (PlacedObstacle& body : placed)
+        body.position -= way;
+    std::erase_if(placed, [&](const PlacedObstacle& body) { return !is_in_reach(body, box); });
+}
+
 void fields(auto& archive, Like<BodyPose> auto& pose) {
     auto& [position, orientation] = pose;
     archive(position, orientation);

@@ -2,6 +2,7 @@
 // uniform.
 #include "fluid/cpu/cells.h"
 
+#include "fluid/core/obstacle_record.h"
 #include "fluid/core/wind_core.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/grid/box_rules.h"
@@ -35,19 +36,6 @@ glm::vec4 cell_at(const float* cell) {
 template <class Visit>
 void for_each_cell(glm::ivec3 cells, const Visit& visit) {
     for_each_exposed(cells, CellIndex(cells), visit);
-}
-
-// As a tick of the wind places bodies: those that meet the box grown by some cells.
-bool is_in_reach(const PlacedObstacle& body, const Box& box) {
-    const detail::Extent extent = detail::extent_of(body);
-    const glm::vec3 size = box.size(), margin(4.0f * box.cell_size);
-    bool meets = true;
-    for (int axis = 0; axis < 3; ++axis)
-        meets =
-            meets && (box.boundaries.periodic(axis) ? std::abs(body.position[axis]) <= 2.0f * size[axis]
-                                                    : body.position[axis] + extent.high[axis] >= -margin[axis] &&
-                                                          body.position[axis] + extent.low[axis] <= size[axis] + margin[axis]);
-    return meets;
 }
 
 } // namespace
@@ -345,7 +333,7 @@ void Cells::set_surface_history(SurfaceHistory&& history) {
     work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
     placed_ = std::move(history.placed);
-    std::erase_if(placed_, [&](const PlacedObstacle& body) { return !is_in_reach(body, box()); }); // forged
+    detail::follow_box(placed_, glm::vec3(0.0f), box()); // forged ones may be anywhere
     put_obstacles(glm::ivec3(0));
     inside_is_air_ = history.inside_is_air;
     unplaced_shift_ = history.shift;
@@ -376,15 +364,10 @@ void Cells::shift(const CellChange& change) {
     if (lifts) // the lists, which hold in no other rows, go
         uncover();
     shift_air(air.velocity);
-    if (lifts && work.state().solids) {
-        work.state().solids.reset();
-        work.state().solid_keys.clear();
-        work.state().solid_terms.clear();
-        unplaced_shift_ = glm::ivec3(0);
-        place_again_ = reading_stale_ = true;
-    } else {
+    if (lifts && work.state().solids)
+        lift_obstacles(change.by);
+    else
         unplaced_shift_ += glm::ivec3(change.by);
-    }
     if (change.has_source_flow)
         shift_field(source_flow, box().cells, change.by, glm::vec4(0.0f));
     if (change.kept)

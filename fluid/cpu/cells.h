@@ -202,6 +202,7 @@ class Cells final : public CellStorage {
     /// Places the obstacles for a sub-step that ends `early` [s] before the step; true where some came, went or moved.
     [[nodiscard]] bool place_obstacles(const CellStep& step, double early, Diagnostics& report);
     void put_obstacles(glm::ivec3 shift);
+    void lift_obstacles(CellIndex by);
     void uncover();
     template <class Visit>
     void for_each_room(const Visit& visit) const;

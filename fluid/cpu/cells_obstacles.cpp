@@ -1,6 +1,7 @@
 // Obstacles in a step of the cells (step.cpp): where they are, the pressure around them, and what reads beside them find.
 #include "fluid/core/message.h"
 #include "fluid/core/numerics.h"
+#include "fluid/core/obstacle_record.h"
 #include "fluid/core/wind_core.h"
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/stopwatch.h"
@@ -46,6 +47,21 @@ void Cells::put_obstacles(glm::ivec3 shift) {
     const std::size_t sheltered = work.state().solids->sheltered().size();
     detail::make_room(sheltered_air_, sheltered);
     sheltered_air_.resize(sheltered);
+}
+
+// Rows at another height: no list holds, and what frames show until the next tick has the bodies too.
+void Cells::lift_obstacles(CellIndex by) {
+    const glm::vec3 along(glm::vec3(unplaced_shift_ + glm::ivec3(by)) * box().cell_size);
+    const auto rise = static_cast<float>(static_cast<double>(by.y) * box().rows->step());
+    work.state().solid_keys.clear();
+    work.state().solid_terms.clear();
+    if (!detail::memory_lasts([&] {
+            detail::follow_box(placed_, {along.x, rise, along.z}, box());
+            put_obstacles(glm::ivec3(0));
+        }))
+        work.state().solids.reset();
+    unplaced_shift_ = glm::ivec3(0);
+    inside_is_air_ = place_again_ = reading_stale_ = true;
 }
 
 // Cells inside hold the body's velocity, but what it leaves is air, which slips along it: before the bodies are placed again, the

@@ -1,6 +1,7 @@
 // Obstacles on the device: the host rasterises them where they or the box have moved, and uploads the tables with the step.
 #include "fluid/core/message.h"
 #include "fluid/core/numerics.h"
+#include "fluid/core/obstacle_record.h"
 #include "fluid/vulkan/air.h"
 
 #include <algorithm>
@@ -40,18 +41,33 @@ void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::Plac
         solids_.reset();
 }
 
+// Other boundaries make other images, neighbours and rooms. Faces keep their names.
 void Air::place_within_boundaries(VkCommandBuffer commands) {
-    if (!solids_)
-        return;
+    if (solids_ && !put_obstacles(commands, true))
+        place_again_ = true;
+}
+
+// As Cells::lift_obstacles of the CPU.
+void Air::lift_obstacles(VkCommandBuffer commands, CellIndex by) {
+    const glm::vec3 along(glm::vec3(unplaced_shift_) * config_.cell_size);
+    const auto rise = static_cast<float>(static_cast<double>(by.y) * rows_table_->step());
+    windrow::detail::follow_box(placed_, {along.x, rise, along.z}, box());
+    (void)put_obstacles(commands, false);
+    unplaced_shift_ = glm::ivec3(0);
+    inside_is_air_ = place_again_ = reading_stale_ = true;
+}
+
+// Those of the last placement anew, in the cells of now. Without memory the air does without them.
+bool Air::put_obstacles(VkCommandBuffer commands, bool keeps_faces) {
     bool written = false;
     const bool placed = detail::memory_lasts([&] {
-        solids_->begin_anew(box(), true);
+        solids_->begin_anew(box(), keeps_faces);
         solids_->place(placed_, glm::ivec3(0));
         written = write_obstacles(commands);
     });
-    place_again_ = place_again_ || !(placed && written);
-    if (place_again_)
+    if (!placed || !written)
         solids_.reset();
+    return placed && written;
 }
 
 // As Cells::uncover of the CPU.

@@ -82,12 +82,8 @@ void Air::lift(VkCommandBuffer commands, const CellChange& change) {
         field(WINDROW_LIFT_SOURCE_FLOW, false);
     if (change.kept && !keeps_)
         field(WINDROW_LIFT_BEFORE, true);
-    if (solids_) { // no list of theirs holds in other rows
-        if (!detail::memory_lasts([&] { solids_->begin_anew(box(), false); }))
-            solids_.reset();
-        unplaced_shift_ = glm::ivec3(0);
-        place_again_ = reading_stale_ = true;
-    }
+    if (solids_) // no list of theirs holds in other rows
+        lift_obstacles(commands, change.by);
 }
 
 SolveTables Air::tables_of(const Boundaries& boundaries) const {

@@ -455,6 +455,27 @@ TEST(StretchedRows, AFloorRisesOverBodies) {
     }
 }
 
+TEST(StretchedRows, AFloorThatRisesBetweenTicksShowsItsBodies) {
+    Wind wind = made(with(land_of_rows(), [](Config& c) { c.ticks.hz = 10.0; }));
+    ASSERT_TRUE(wind.obstacles().add({.position = {0.3, 1.5, 0.2}, .shape = Block{{2.0f, 1.5f, 1.5f}}}));
+    for (int n = 0; n < 40; ++n)
+        (void)wind.advance(0.1);
+    const auto shown = [&] {
+        std::vector<glm::vec3> air;
+        for (int n = 0; n < 200; ++n)
+            air.push_back(wind.velocity({-4.0 + 0.04 * n, 1.2 + 0.008 * n, 0.2 + 0.013 * (n % 17 - 8)}));
+        return air;
+    };
+    const auto before = shown();
+    ASSERT_TRUE(wind.set_floor(0.5));
+    (void)wind.advance(0.001);
+    const auto after = shown();
+    float worst = 0.0f; // [m/s]
+    for (std::size_t n = 0; n < after.size(); ++n)
+        worst = std::max(worst, glm::length(after[n] - before[n]));
+    expect_at_most("rows.shown_while_the_floor_rises", worst, 0.3);
+}
+
 TEST(StretchedRows, AreRejectedInASentence) {
     const auto said = [](const std::function<void(Config&)>& change) {
         const auto wind = Wind::create(with(land_of_rows(), change));
