@@ -54,6 +54,8 @@ void Flags::values(const std::string& name, const char* type, const std::string&
                     read_value(name, text, read);
             },
             help)
+        ->expected(1) // each time; what follows is not its
+        ->take_all()
         ->type_name(type);
 }
 

@@ -1,5 +1,6 @@
 #include "cli/probes.h"
 
+#include "cli/table.h"
 #include "fluid/core/message.h"
 #include "scene/number_text.h"
 
@@ -103,7 +104,7 @@ Fault Probes::follow(const Playback& playback) {
             const auto acting = playback.wind().reader().force_on(id);
             if (!acting)
                 return {.sentence = acting.error(), .machine = acting.failure().fault != windrow::Fault::rejected};
-            forces_->write(message(playback.time(), ",", n, ",", obstacles[n].name, ",", acting->in_box ? 1 : 0, ",",
+            forces_->write(message(playback.time(), ",", n, ",", csv_field(obstacles[n].name), ",", acting->in_box ? 1 : 0, ",",
                                    acting->force.x, ",", acting->force.y, ",", acting->force.z, ",", acting->moment.x, ",",
                                    acting->moment.y, ",", acting->moment.z, ",", acting->pressure, "\n"));
         }

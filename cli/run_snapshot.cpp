@@ -36,6 +36,16 @@ Result<RunIdentity> identity_of(const scene::Scene& scene, std::string flags) {
         for (const scene::ScenePath& path : scene.paths)
             for (const scene::PathPoint& point : path.path.points())
                 writer(point.time, point.position);
+        // What files of the picture put into the air: heights below walkers, bodies of meshes, trees on their ground.
+        for (const scene::Carried& body : scene.carried) {
+            const scene::MotionPath& path = scene.paths[body.path].path;
+            writer(body.front.x, body.front.y);
+            for (const scene::PathPoint& point : path.points())
+                writer(body.middle_at(path, point.time));
+        }
+        for (const scene::PlantedStand& planted : scene.planted)
+            for (const DragDeposit& deposit : drag_of(planted.stand, planted.ground))
+                writer(deposit);
         flags += message(" --simd ", name_of(scene.air.simd), " (" WINDROW_VERSION_STRING ")");
         return RunIdentity{.scene = detail::checksum(std::move(writer).take()), .flags = std::move(flags)};
     });

@@ -12,11 +12,16 @@ std::string to_text(double value, std::chars_format format, int digits) {
     return std::string(text, std::to_chars(text, text + sizeof text, value, format, digits).ptr);
 }
 
-std::string quoted(const std::string& name) {
-    return name.find(',') == name.npos ? name : "\"" + name + "\"";
-}
-
 } // namespace
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == text.npos)
+        return std::string(text);
+    std::string field = "\"";
+    for (const char letter : text)
+        (field += letter == '"' ? "\"" : "") += letter;
+    return field + "\"";
+}
 
 std::string to_fixed(double value, int digits) {
     return to_text(value, std::chars_format::fixed, digits);
@@ -48,7 +53,7 @@ std::string TableFormat::line(std::string_view name, std::span<const std::string
 std::string plot_csv(std::span<const PlotCurve> curves) {
     std::string text = "plot,panel,line,x,y\n";
     for (const PlotCurve& curve : curves) {
-        const std::string line = quoted(curve.plot) + "," + quoted(curve.panel) + "," + quoted(curve.line) + ",";
+        const std::string line = csv_field(curve.plot) + "," + csv_field(curve.panel) + "," + csv_field(curve.line) + ",";
         for (const glm::dvec2 point : curve.points)
             text += line + to_digits(point.x, 6) + "," + to_digits(point.y, 6) + "\n";
     }

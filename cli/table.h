@@ -23,6 +23,8 @@ namespace windrow::cli {
 
 /// At the right end of a column; behind one space where it is wider than that.
 [[nodiscard]] std::string right(std::string_view text, std::size_t width);
+/// A field of a CSV file, in quotes where its text would end it.
+[[nodiscard]] std::string csv_field(std::string_view text);
 
 /// A line of a table: a name two spaces from the edge, then columns of one width.
 struct TableFormat {

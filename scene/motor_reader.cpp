@@ -63,7 +63,8 @@ SceneMotor read_motor(const json& value, const std::string& path, std::span<cons
 
 void read_times(JsonObject& object, const char* what, double& from, double& until) {
     constexpr Range k_time_rule{-MotionPath::k_farthest, MotionPath::k_farthest, "s"};
-    from = object.number({"from", "Time at which it begins to act."}, from, k_time_rule);
+    from =
+        object.number({"from", "Time at which it begins to act, with its envelope; before 0 it begins at 0."}, from, k_time_rule);
     const auto end = object.optional_number({"until", "Time at which it ends, later than from. Default: never."}, k_time_rule);
     if (!end)
         return;

@@ -14,6 +14,10 @@ glm::quat orientation_of(glm::dvec3 turn_deg) {
 
 glm::dvec3 turn_of(const glm::quat& orientation) {
     const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(orientation)));
+    // Pitched straight up or down, yaw and roll are one turn: all of it is yaw.
+    constexpr double k_upright = 1e-14;
+    if (axes[2].x * axes[2].x + axes[2].z * axes[2].z < k_upright)
+        return {glm::degrees(std::atan2(-axes[0].z, axes[0].x)), axes[2].y < 0.0 ? 90.0 : -90.0, 0.0};
     return glm::degrees(glm::dvec3(std::atan2(axes[2].x, axes[2].z), std::asin(glm::clamp(-axes[2].y, -1.0, 1.0)),
                                    std::atan2(axes[0].y, axes[1].y)));
 }

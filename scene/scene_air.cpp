@@ -215,16 +215,16 @@ bool SceneAir::StandingObstacle::blocks(glm::dvec3 from, glm::dvec3 to) const {
     return detail::distance_to(now.shape, end) < 0.0f || detail::blocks(now.shape, begin, end);
 }
 
-MotorId SceneAir::motor(std::string_view name) const {
+MotorId SceneAir::motor(std::string_view name, const Motors& motors) const {
     for (std::size_t i = 0; i < scene_->motors.size(); ++i)
-        if (scene_->motors[i].name == name && state_.motors[i].begun)
+        if (scene_->motors[i].name == name && motors.find(state_.motors[i].id) != nullptr)
             return state_.motors[i].id;
     return {};
 }
 
-ObstacleId SceneAir::obstacle(std::string_view name) const {
+ObstacleId SceneAir::obstacle(std::string_view name, const Obstacles& obstacles) const {
     for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
-        if (scene_->obstacles[i].name == name && state_.obstacles[i] != ObstacleId{})
+        if (scene_->obstacles[i].name == name && obstacles.find(state_.obstacles[i]) != nullptr)
             return state_.obstacles[i];
     return {};
 }
@@ -311,15 +311,18 @@ Result<void> SceneAir::place_obstacles(Obstacles& obstacles, double end) {
 Result<void> SceneAir::place_obstacle(Obstacles& obstacles, const SceneObstacle& body, ObstacleId& id, double end) {
     const double start = state_.time, middle = 0.5 * (start + end);
     const bool is_there = body.from <= middle && middle < body.until;
-    if (!is_there)
-        return id == ObstacleId{} ? Result<void>{} : obstacles.remove(std::exchange(id, {}));
+    const bool removed = id != ObstacleId{} && obstacles.find(id) == nullptr; // by the host
+    if (!is_there) {
+        const ObstacleId had = std::exchange(id, {});
+        return removed || had == ObstacleId{} ? Result<void>{} : obstacles.remove(had);
+    }
     if (id == ObstacleId{}) {
         const auto added = obstacles.add(obstacle_at(body, start));
         if (!added)
             return added.failure();
         id = *added;
     }
-    if (!body.moves())
+    if (!body.moves() || removed)
         return {};
     const Obstacle then = obstacle_at(body, end);
     if (!body.turn_path && body.rpm == glm::dvec3(0.0))
@@ -343,6 +346,8 @@ Result<void> SceneAir::place_wakes(Motors& motors, double end) {
                 return added.failure().after(message(scene_->file.string(), ": ", body.key, ", its wake: "));
             id = *added;
         }
+        if (motors.find(id) == nullptr) // removed by the host
+            continue;
         if (auto moved = motors.move(id, body.middle_at(path, end)); !moved)
             return moved.failure().after(message(scene_->file.string(), ": ", body.key, ", its wake: "));
     }

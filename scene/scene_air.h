@@ -7,7 +7,7 @@
 //         placed = air.advance_to(*wind, tick / scene.tick_hz);        // what moves, then the air
 //         wind->step(1.0 / scene.tick_hz);
 //     }
-//     (void)wind->motors().set(air.motor("fan"), stronger);            // by its name in the scene
+//     (void)wind->motors().set(air.motor("fan", wind->motors()), stronger);    // by its name in the scene
 //
 // It has the clock of the scene and the handles; the wind has the air. Both are saved, and go on with the same bits.
 #pragma once
@@ -56,9 +56,9 @@ class SceneAir {
     [[nodiscard]] std::int64_t steps() const { return state_.steps; }
     [[nodiscard]] const Scene& scene() const { return *scene_; }
 
-    /// Handle of the first motor or obstacle of that name which is in the air; names none where there is none.
-    [[nodiscard]] MotorId motor(std::string_view name) const;
-    [[nodiscard]] ObstacleId obstacle(std::string_view name) const;
+    /// Handle of the first motor or obstacle of that name which is in the air, by the list of the wind; names none where there is none.
+    [[nodiscard]] MotorId motor(std::string_view name, const Motors& motors) const;
+    [[nodiscard]] ObstacleId obstacle(std::string_view name, const Obstacles& obstacles) const;
     /// Of the scene's obstacle at a place in its list; names none while that is not in the air.
     [[nodiscard]] ObstacleId obstacle(std::size_t place) const { return state_.obstacles.at(place); }
     /// The same of a motor, until it ends.

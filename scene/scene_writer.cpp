@@ -3,9 +3,11 @@
 #include "fluid/core/message.h"
 #include "fluid/wind.h"
 #include "scene/scene.h"
+#include "scene/scene_reader.h"
 #include "scene/setting_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/vector_relational.hpp>
 
@@ -40,10 +42,23 @@ json written_motor(const Motor& motor) {
         motor);
 }
 
+// What all levels take from the outermost wind, each when it is stepped.
+constexpr std::array k_of_the_outermost{"ambient", "gusts"};
+
+const WindControl& outermost_of(const WindControl& wind) {
+    return wind.outer() ? outermost_of(*wind.outer()) : wind;
+}
+
 json written_air(const WindControl& wind) {
     const Config& config = wind.config();
     const glm::dvec3 centre = wind.origin() + 0.5 * glm::dvec3(wind.box().size());
     json air = write_object(config);
+    const json outermost = write_object(outermost_of(wind).config());
+    for (const char* const key : k_of_the_outermost) {
+        air.erase(key);
+        if (outermost.contains(key))
+            air[key] = outermost[key];
+    }
     air["centre"] = written(centre);
     air.erase("floor"); // a key of the scene
     return air;
@@ -88,7 +103,7 @@ Result<void> check_level(const Wind& level, const SceneLevel& own, const WindCon
     const json of_inner = write_object(expected), of_level = write_object(level.config());
     for (const auto& keys : {of_inner, of_level})
         for (const auto& [key, value] : keys.items())
-            if (key != "centre" && key != "floor" &&
+            if (key != "centre" && key != "floor" && std::ranges::find(k_of_the_outermost, key) == k_of_the_outermost.end() &&
                 (!of_inner.contains(key) || !of_level.contains(key) || of_inner[key] != of_level[key]))
                 return Error{message("an outer wind has another ", key,
                                      " than the wind inside it, and a scene has one for all: "
@@ -145,7 +160,7 @@ Result<json> written_outer(const WindControl& wind, const WindControl& inner, co
 
 } // namespace
 
-Result<std::string> write_scene(const WindControl& wind, const WrittenScene& times) {
+Result<std::string> write_scene(const WindControl& wind, const WrittenScene& times, const std::filesystem::path& file) {
     return detail::where_memory_lasts([&]() -> Result<std::string> {
         const Config& config = wind.config();
         if (config.roughness && config.roughness->map)
@@ -173,7 +188,10 @@ Result<std::string> write_scene(const WindControl& wind, const WrittenScene& tim
         if (!outer->is_null())
             scene["air"]["outer"] = *std::move(outer);
         scene.update(*content);
-        return scene.dump(2) + "\n";
+        std::string text = scene.dump(2) + "\n";
+        if (const auto read = read_scene_text(text, file); !read) // what a wind may have and a scene may not
+            return read.failure();
+        return text;
     });
 }
 

@@ -89,12 +89,9 @@ WINDROW_EXPORT windrow_result windrow_scene_load(const char* path, const windrow
 WINDROW_EXPORT windrow_result windrow_wind_write_scene(const windrow_wind* wind, const char* path, double duration,
                                                        double tick_hz) {
     return call({{wind, "wind"}, {path, "path"}}, [&]() -> windrow_result {
-        // The reader's own words where a time is out of range.
-        const auto text = scene::write_scene(*wind->control, {.duration = duration, .tick_hz = tick_hz});
+        const auto text = scene::write_scene(*wind->control, {.duration = duration, .tick_hz = tick_hz}, path_of(path));
         if (!text)
             return done(text);
-        if (const auto read = scene::read_scene_text(*text, path_of(path)); !read)
-            return done(read);
         return done(detail::write_file("scene", path_of(path), *text));
     });
 }
@@ -167,14 +164,14 @@ WINDROW_EXPORT const char* windrow_scene_obstacle_name(const windrow_scene* scen
 WINDROW_EXPORT windrow_result windrow_scene_motor(const windrow_scene* scene, const char* name, windrow_motor_id* id) {
     return call({{scene, "scene"}, {name, "name"}, {id, "id"}}, [&] {
         return find(
-            scene->scene->motors, "motor", name, scene->air.motor(name),
+            scene->scene->motors, "motor", name, scene->air.motor(name, scene->wind.air.motors()),
             [&](MotorId found) { return scene->wind.air.motors().find(found) != nullptr; }, id);
     });
 }
 WINDROW_EXPORT windrow_result windrow_scene_obstacle(const windrow_scene* scene, const char* name, windrow_obstacle_id* id) {
     return call({{scene, "scene"}, {name, "name"}, {id, "id"}}, [&] {
         return find(
-            scene->scene->obstacles, "obstacle", name, scene->air.obstacle(name),
+            scene->scene->obstacles, "obstacle", name, scene->air.obstacle(name, scene->wind.air.obstacles()),
             [&](ObstacleId found) { return scene->wind.air.obstacles().find(found) != nullptr; }, id);
     });
 }

@@ -131,7 +131,13 @@ int join_verify(const VerifyRequest& request, const Console& console) {
             return k_exit_wrong_use;
         }
         for (const Json& row : part["cases"]) {
-            const std::string name = row.is_object() && row.contains("name") ? row["name"].get<std::string>() : std::string();
+            if (!row.is_object() || !row.contains("name") || !row["name"].is_string() ||
+                (row.contains("pass") && !row["pass"].is_boolean())) {
+                console.complain(
+                    message(file.string(), ": is not what windrow verify --json writes: give the files of the parts."));
+                return k_exit_wrong_use;
+            }
+            const auto name = row["name"].get<std::string>();
             auto& [from, rows] = found.try_emplace(name, at, Json::array()).first->second;
             if (from != at) {
                 console.complain(message(file.string(), ": has the case ", name, ", as ", request.join[from].string(),

@@ -5,6 +5,7 @@
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/run_command.h"
+#include "cli/table.h"
 #include "cli/timings.h"
 #include "tests/unit/command_outcome.h"
 
@@ -127,6 +128,16 @@ TEST_F(Command, RunKeepsWhatWasAskedFor) {
     for (; std::getline(table, line); ++rows)
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
     EXPECT_EQ(rows, 30) << "a row a step";
+}
+
+// Names of obstacles are any text, and a flag that takes many values takes one each time.
+TEST_F(Command, TablesQuoteNamesAndAProbeTakesNoScene) {
+    EXPECT_EQ(csv_field("wall"), "wall");
+    EXPECT_EQ(csv_field("a, \"b\""), "\"a, \"\"b\"\"\"");
+    const std::string out = in("probed");
+    const CommandOutcome outcome = run({"run", "--frames", "1", "--out", out.c_str(), "--probe", "mast=0,1,0", scene.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
+    EXPECT_TRUE(fs::exists(fs::path(out) / "probes.csv"));
 }
 
 TEST_F(Command, RunWithoutOutputsMakesNoFolder) {

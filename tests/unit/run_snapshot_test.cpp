@@ -1,6 +1,8 @@
 // A run that was killed goes on from its snapshot: its files are those of a run that was not, to the byte.
 #include "cli/info_command.h"
 #include "cli/run_command.h"
+#include "cli/run_snapshot.h"
+#include "scene/scene_reader.h"
 #include "tests/unit/command_outcome.h"
 
 #include <algorithm>
@@ -218,6 +220,19 @@ TEST_F(RunSnapshotOf, OtherRunsAreRejected) {
     request.snapshot_every = 0;
     EXPECT_EQ(stopped_after(1), 128 + SIGINT);
     EXPECT_FALSE(fs::exists(file)) << "its frames are replaced";
+}
+
+TEST_F(RunSnapshotOf, FilesOfThePictureAreOfTheRun) {
+    const auto identity = [&](int height) {
+        write("hill.pgm", "P2 2 2 255 0 0 0 " + std::to_string(height) + "\n");
+        const auto read = scene::read_scene(write("walked.json", R"({"air": {"cells": [8, 8, 8]},
+            "paths": {"way": {"points": [[0, 0, 0, 0], [1, 9, 0, 9]]}},
+            "picture": {"ground": {"heights": "hill.pgm", "high": 5, "extent": [10, 10]}, "walkers": [{"path": "way"}]}})"));
+        EXPECT_TRUE(read) << (read ? "" : read.error());
+        return read ? identity_of(*read, "")->scene : 0;
+    };
+    EXPECT_NE(identity(255), identity(100));
+    EXPECT_EQ(identity(255), identity(255));
 }
 
 } // namespace

@@ -103,19 +103,40 @@ TEST(SceneAir, FindsMotorsAndObstaclesByName) {
     ASSERT_TRUE(wind) << wind.error();
     SceneAir air(scene);
     ASSERT_TRUE(air.begin(*wind));
-    EXPECT_NE(wind->obstacles().find(air.obstacle("house")), nullptr);
-    EXPECT_EQ(air.obstacle("train"), ObstacleId{});
-    EXPECT_EQ(air.motor("fan"), MotorId{}) << "it does not act yet";
+    EXPECT_NE(wind->obstacles().find(air.obstacle("house", wind->obstacles())), nullptr);
+    EXPECT_EQ(air.obstacle("train", wind->obstacles()), ObstacleId{});
+    EXPECT_EQ(air.motor("fan", wind->motors()), MotorId{}) << "it does not act yet";
     play(air, *wind, 20);
-    EXPECT_NE(wind->motors().find(air.motor("fan")), nullptr);
-    EXPECT_NE(wind->motors().find(air.motor("jet")), nullptr) << "a motor without a name has its kind's";
-    EXPECT_NE(wind->motors().find(air.motor("burst")), nullptr);
-    EXPECT_NE(wind->obstacles().find(air.obstacle("train")), nullptr);
-    EXPECT_EQ(air.motor("none"), MotorId{});
-    ASSERT_TRUE(wind->motors().remove(air.motor("fan"))) << "a host may end what the scene began";
+    EXPECT_NE(wind->motors().find(air.motor("fan", wind->motors())), nullptr);
+    EXPECT_NE(wind->motors().find(air.motor("jet", wind->motors())), nullptr) << "a motor without a name has its kind's";
+    EXPECT_NE(wind->motors().find(air.motor("burst", wind->motors())), nullptr);
+    EXPECT_NE(wind->obstacles().find(air.obstacle("train", wind->obstacles())), nullptr);
+    EXPECT_EQ(air.motor("none", wind->motors()), MotorId{});
+    ASSERT_TRUE(wind->motors().remove(air.motor("fan", wind->motors()))) << "a host may end what the scene began";
+    ASSERT_TRUE(wind->obstacles().remove(air.obstacle("train", wind->obstacles()))) << "though it moves";
     play(air, *wind, 30);
-    EXPECT_EQ(air.obstacle("house"), ObstacleId{});
-    EXPECT_EQ(wind->motors().find(air.motor("burst")), nullptr) << "it has ended by itself";
+    EXPECT_EQ(air.obstacle("train", wind->obstacles()), ObstacleId{});
+    EXPECT_EQ(air.obstacle("house", wind->obstacles()), ObstacleId{});
+    EXPECT_EQ(wind->motors().find(air.motor("burst", wind->motors())), nullptr) << "it has ended by itself";
+}
+
+TEST(SceneAir, OfOneNameTheFirstThatActsIsFound) {
+    const auto scene = read_scene_text(R"({"duration": 4, "tick_hz": 20, "air": {"cells": [8, 8, 8]},
+        "motors": [{"kind": "directional", "name": "gust", "until": 1}, {"kind": "jet", "name": "gust", "from": 1.5},
+                   {"kind": "pressure", "until": 0.5}, {"kind": "pressure", "from": 1}],
+        "obstacles": [{"name": "stone", "until": 1}, {"name": "stone", "from": 1.2}]})",
+                                       "names.json");
+    ASSERT_TRUE(scene) << scene.error();
+    Wind wind = *Wind::create(scene->air);
+    SceneAir air(*scene);
+    ASSERT_TRUE(air.begin(wind));
+    play(air, wind, 22);
+    EXPECT_EQ(air.motor("gust", wind.motors()), MotorId{});
+    EXPECT_NE(air.motor("pressure", wind.motors()), MotorId{});
+    play(air, wind, 20);
+    const Motor* const gust = wind.motors().find(air.motor("gust", wind.motors()));
+    EXPECT_TRUE(gust != nullptr && std::holds_alternative<JetMotor>(*gust));
+    EXPECT_NE(air.obstacle("stone", wind.obstacles()), ObstacleId{});
 }
 
 TEST(SceneAir, WarmUpHasWhatActsAtTheBeginAndMovesNothing) {
@@ -134,8 +155,8 @@ TEST(SceneAir, WarmUpHasWhatActsAtTheBeginAndMovesNothing) {
     EXPECT_EQ(steps, 11);
     EXPECT_EQ(air.time(), 0.0);
     EXPECT_EQ(air.steps(), 0);
-    EXPECT_NE(wind->motors().find(air.motor("jet")), nullptr);
-    EXPECT_EQ(air.motor("fan"), MotorId{});
+    EXPECT_NE(wind->motors().find(air.motor("jet", wind->motors())), nullptr);
+    EXPECT_EQ(air.motor("fan", wind->motors()), MotorId{});
 }
 
 TEST(SceneAir, GoesOnFromWhatWasSavedWithTheSameBits) {

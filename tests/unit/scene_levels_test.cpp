@@ -125,6 +125,11 @@ TEST(SceneLevels, AreWrittenAndReadAgain) {
     EXPECT_GT(test::largest_apart(first.wind->field(), test::made(scene.air).field()), 1.0);
 }
 
+TEST(SceneWriter, SaysWhatASceneMayNotHave) {
+    const auto far = write_scene(test::made({.cells = {8, 8, 8}, .centre = {2e9, 0.0, 0.0}}), {}, "far.json");
+    EXPECT_EQ(far ? std::string() : far.error().substr(0, 26), "far.json: $.air.centre[0] ");
+}
+
 TEST(SceneLevels, AreWrittenAsASceneHasThemOrNot) {
     const Config around{.cells = {20, 8, 20}, .cell_size = 2.0f, .boundaries = Boundaries::open_over_floor()},
         inside{.cells = {12, 8, 12}, .boundaries = Boundaries::open_over_floor()};
@@ -139,6 +144,12 @@ TEST(SceneLevels, AreWrittenAsASceneHasThemOrNot) {
         return text ? std::string() : text.error();
     };
     EXPECT_EQ(error([](Config&, Wind*) {}), "");
+    EXPECT_EQ(error([](Config&, Wind* wind) {
+                  if (wind != nullptr) { // the wind inside takes it in its next step
+                      EXPECT_TRUE(wind->set_ambient({3.0f, 0.0f, 1.0f}) && wind->set_gusts({.intensity = 0.2f}));
+                  }
+              }),
+              "");
     EXPECT_NE(error([](Config& config, Wind*) { config.viscosity = 0.1f; }).find("another viscosity"), std::string::npos);
     EXPECT_NE(error([](Config& config, Wind*) { config.centre.x = 4.0; }).find("let both follow it"), std::string::npos);
     EXPECT_NE(error([](Config&, Wind* wind) {

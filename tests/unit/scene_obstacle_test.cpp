@@ -61,6 +61,12 @@ TEST(SceneObstacles, AnglesComeBack) {
         const glm::dvec3 turn(random.real(-179.0, 179.0), random.real(-85.0, 85.0), random.real(-179.0, 179.0));
         EXPECT_NEAR(glm::length(turn_of(orientation_of(turn)) - turn), 0.0, 1e-2) << n;
     }
+    for (const double pitch : {-90.0, -89.999, 89.999, 90.0}) // where yaw and roll turn about one axis
+        for (const double yaw : {0.0, 30.0, 90.0, 120.0, 200.0})
+            for (const double roll : {0.0, 50.0, -170.0}) {
+                const glm::quat given = orientation_of({yaw, pitch, roll}), again = orientation_of(turn_of(given));
+                EXPECT_NEAR(std::abs(glm::dot(given, again)), 1.0f, 1e-6f) << yaw << " " << pitch << " " << roll;
+            }
     EXPECT_NEAR(glm::length(orientation_of({0, 90, 0}) * glm::vec3(0, 0, 1) - glm::vec3(0, -1, 0)), 0.0f, 1e-6f) << "pitch";
     EXPECT_NEAR(glm::length(orientation_of({0, 0, 90}) * glm::vec3(1, 0, 0) - glm::vec3(0, 1, 0)), 0.0f, 1e-6f) << "roll";
 }

@@ -154,6 +154,11 @@ TEST_F(VerifyCommand, PartsJoinToTheFileOfTheWhole) {
                     "--join has no file with the case fourier_transit: run its part, or name the cases with --case.");
     expect_rejected(chosen({"--json", joined.c_str(), "--join", one.c_str(), whole.c_str()}),
                     whole + ": has the case " + k_quick + ", as " + one + " has: give each part once.");
+    for (const char* const rows : {R"({"name": 1})", R"({"name": "a", "pass": "yes"})", "3"}) {
+        std::ofstream(in("wrong.json")) << R"({"cases": [)" << rows << "]}";
+        expect_rejected(chosen({"--json", joined.c_str(), "--join", in("wrong.json").c_str()}),
+                        in("wrong.json") + ": is not what windrow verify --json writes: give the files of the parts.");
+    }
     expect_rejected(chosen({"--join", one.c_str()}), "--join needs --json, the file to make: add it.");
     expect_rejected(chosen({"--part", "3/2"}), "--part is \"3/2\": give K/N, part K of N, such as 1/8; N is 10000 at most.");
     expect_rejected(verify({"--json", joined.c_str(), "--case", k_quick, "--join", whole.c_str()}),
