@@ -298,8 +298,8 @@ struct Preparation {
                 swept.amount = share * drive.per_metre;
             }
             if (motor.turbulence.intensity > 0.0f)
-                stir(swept, motor.turbulence, motor.turbulence.intensity * glm::length(swept.push), -glm::dvec3(window.origin()),
-                     glm::dvec3(0.0), 0.0, radius);
+                stir(swept, motor.turbulence, motor.turbulence.intensity * glm::length(swept.push),
+                     -window.origin_at(window.origin_cells - window.shifted), glm::dvec3(0.0), 0.0, radius);
             if (cover(swept, glm::min(swept.centre, swept.extent) - radius, glm::max(swept.centre, swept.extent) + radius,
                       window))
                 ++count;

@@ -63,6 +63,10 @@ Result<void> Tracer::step(const WindView& air, std::span<const PlacedObstacle> o
     if (air.window().cells != window_.cells)
         return Error{detail::message("the wind has ", air.window().cells, " cells and the tracer ", window_.cells,
                                      ": make a tracer for each wind.")};
+    if (!(work_.box().boundaries == air.box().boundaries))
+        if (auto changed = work_.set_boundaries(air.box().boundaries); !changed)
+            return changed;
+    work_.set_ambient(air.ambient().mean());
     if (auto placed = work_.set_obstacles(obstacles); !placed)
         return placed;
     if (work_.solids() != nullptr && joined_.empty() && !detail::memory_lasts([&] { joined_.resize(cells_.size()); }))

@@ -1,9 +1,11 @@
 #include "fluid/core/message.h"
 #include "fluid/core/validation.h"
 #include "fluid/cpu/workspace.h"
+#include "fluid/grid/halo.h"
 #include "fluid/wind_state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <utility>
 
@@ -38,11 +40,20 @@ namespace detail {
 
 Config config_within(const Config& config, const Wind& outer) {
     Config within = config;
-    within.ambient = outer.config().ambient;
+    within.ambient = outer.ambient(); // less what its walls close
     within.profile = outer.config().profile;
     within.gusts = outer.config().gusts;
     within.gusts.tile = outer.ambient_wind().tile() ? outer.ambient_wind().tile() : config.gusts.tile; // for detail alone
     return within;
+}
+
+// What it takes of the outer wind it had taken; what that has since it takes in its next step.
+Config config_loaded(const Config& config, const Wind& outer) {
+    Config loaded = config;
+    const auto& tile = outer.ambient_wind().tile();
+    if (tile && tile->seed() == config.gusts.seed)
+        loaded.gusts.tile = tile;
+    return loaded;
 }
 
 void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
@@ -61,8 +72,14 @@ void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
     const glm::dvec3 rounding = 1e-6 * static_cast<double>(config.cell_size) + 1e-12 * glm::abs(low);
     constexpr const char* k_axes[3] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-        if (outer.box().boundaries.periodic(axis))
+        if (outer.box().boundaries.periodic(axis)) {
+            const double spanned =
+                (config.cells[axis] + k_halo) * static_cast<double>(config.cell_size) / outer.box().cell_size + 3.0;
+            if (spanned > 2.0 * k_max_axis_cells)
+                reasons.add("the box spans ", static_cast<int>(std::ceil(spanned)), " cells of its outer wind along ",
+                            k_axes[axis], ": give larger outer cells.");
             continue;
+        }
         const bool beyond_low =
             config.boundaries.at(axis, 0).kind == BoundaryKind::open && low[axis] < outer_low[axis] - rounding[axis];
         const bool beyond_high =
@@ -95,7 +112,7 @@ Result<Wind> Wind::create(const Config& wanted, std::shared_ptr<const Wind> oute
             if (!reasons.empty())
                 return Error{reasons.take()};
         }
-        return make(wanted, std::move(outer));
+        return make(wanted, std::move(outer), false);
     });
 }
 
@@ -107,10 +124,12 @@ OuterUndo::~OuterUndo() {
         outer_->state().cells.drop_pressure();
 }
 
-Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer) {
+Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer, bool loads) {
     return detail::where_memory_lasts([&]() -> Result<Wind> {
         OuterUndo undo(outer);
-        const Config config = outer ? detail::config_within(wanted, *outer) : wanted;
+        const Config config = !outer  ? wanted
+                              : loads ? detail::config_loaded(wanted, *outer)
+                                      : detail::config_within(wanted, *outer);
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)

@@ -87,7 +87,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
         view().felt(positions, sampling, velocities);
     }
-    /// One texture of four components, as float or half: x, y, z of the velocity and 0. The span holds four numbers for each of
+    /// One texture of four components, as float or half, as WindView::write_vectors has it. The span holds four numbers for each of
     /// box().cell_count() texels, or the call is rejected.
     Result<void> write_vectors(std::span<float> texels) const { return view().write_vectors(texels); }
     Result<void> write_vectors(std::span<std::uint16_t> texels) const { return view().write_vectors(texels); }
@@ -98,7 +98,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
         return view().write_axes(x, y, z);
     }
-    /// [m/s] The cells after the last step or tick, laid out as box.h says; w = 0.
+    /// [m/s] The cells after the last step or tick, laid out as box.h says; w as WindView::field has it.
     [[nodiscard]] std::span<const glm::vec4> field() const;
     [[nodiscard]] const AmbientWind& ambient_wind() const override { return view().ambient(); }
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const override;
@@ -133,7 +133,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
   private:
     explicit Wind(std::unique_ptr<State> state);
     /// Of a valid config.
-    [[nodiscard]] static Result<Wind> make(const Config& config, std::shared_ptr<const Wind> outer);
+    [[nodiscard]] static Result<Wind> make(const Config& config, std::shared_ptr<const Wind> outer, bool loads);
     [[nodiscard]] Result<WindView> read_view() const override { return view(); }
     [[nodiscard]] Result<WindView> read_previous_view() const override { return previous_view(); }
     detail::Owned<State> state_;

@@ -32,7 +32,7 @@ class WINDROW_API WindReader {
     /// box, once a frame has come back; the frame before is in its textures alone. (Wind::view returns it without the Result.)
     [[nodiscard]] Result<WindView> view() const { return read_view(); }
     [[nodiscard]] Result<WindView> previous_view() const { return read_previous_view(); }
-    /// [m/s] The air's own cells, laid out as box.h says; w = 0.
+    /// [m/s] The air's own cells, laid out as box.h says; w as WindView::field has it.
     [[nodiscard]] Result<std::span<const glm::vec4>> cells() const;
     /// [m/s] Wind at a world point: trilinear between cell centres, beside surfaces as view.h says, as a vertex stage samples the textures; it fades to ambient
     /// over the blend zone (view.h). Where no cells can be read, the ambient wind. A point that is not finite gets the mean wind.

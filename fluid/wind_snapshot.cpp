@@ -22,7 +22,7 @@ namespace windrow {
 namespace {
 
 constexpr detail::Format k_format{
-    "WINDSNAP", detail::Layout("state 11").with<Config>().with<Motor>().with<Obstacle>().with<DragDeposit>().version(),
+    "WINDSNAP", detail::Layout("state 12").with<Config>().with<Motor>().with<Obstacle>().with<DragDeposit>().version(),
     "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -354,6 +354,10 @@ struct StateFields {
             if (!archive.rejected())
                 cells.set_kept_potential(kept);
         }
+        archive(last.max_speed, last.asleep); // which a wind inside this one asks for
+        if constexpr (Reading<decltype(archive)>)
+            archive.require(std::isfinite(last.max_speed) && last.max_speed >= 0.0f,
+                            "the speed of its last step is out of range.");
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
@@ -472,7 +476,7 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
             return rejected(reader.reason());
         config.parallel_for = parallel_for;
-        auto wind = make(config, outer); // wherever its box was when it was created
+        auto wind = make(config, outer, true); // wherever its box was when it was created
         if (!wind)
             return rejected(wind.error());
         StateFields::state(reader, wind->state().core, wind->state().cells);
@@ -480,7 +484,10 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         reader.end();
         if (reader.rejected())
             return rejected(reader.reason());
-        wind->state().core.renew_ambient();
+        WindCore& core = wind->state().core;
+        core.renew_ambient();
+        if (core.config.stages.sources)
+            wind->state().cells.set_drag(core.drag.cells_in(core.window(), core.config.boundaries), core.window());
         undo.succeed();
         return wind;
     });

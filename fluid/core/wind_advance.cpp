@@ -297,9 +297,11 @@ CanopyRows WindCore::canopy_rows() const {
 // It is the mean wind, the same everywhere or by its profile, and gusts.
 
 void WindCore::renew_ambient() {
-    ambient.set_gust_axes(gust_axes(config.boundaries));
+    ambient.set_gust_axes(gust_axes(config.boundaries) * (outer ? outer->ambient_wind().gust_axes() : glm::vec3(1.0f)));
     (void)ambient.set_mean(mean_wind());
-    (void)ambient.set_ground(config.boundaries.y_low.solid() ? place.window.origin().y : 0.0);
+    const Window& window = place.window; // without a floor height 0 moves with the world's origin
+    (void)ambient.set_ground(config.boundaries.y_low.solid() ? window.origin().y
+                                                             : window.units().y * static_cast<double>(window.shifted.y));
 }
 
 CellChange WindCore::change(CellChange::Kind kind) const {

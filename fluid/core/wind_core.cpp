@@ -146,15 +146,14 @@ Result<void> WindCore::change_gusts(const Gusts& gusts) {
 
 // One ambient wind for all levels: what the outer one has become. Without memory for its gusts, as before.
 void WindCore::follow_outer_ambient() {
-    const Config& around = outer->config();
-    const auto& [intensity, length, seed, tile] = around.gusts;
-    if (intensity != config.gusts.intensity || length != config.gusts.length || seed != config.gusts.seed) {
-        Gusts gusts = around.gusts;
-        gusts.tile = outer->ambient_wind().tile();
+    Gusts gusts = outer->config().gusts;
+    gusts.tile = outer->ambient_wind().tile();
+    const auto seed = [](const Gusts& of, const auto& tile) { return tile ? tile->seed() : of.seed; };
+    if (gusts.intensity != config.gusts.intensity || gusts.length != config.gusts.length ||
+        seed(gusts, gusts.tile) != seed(config.gusts, ambient.tile()))
         (void)change_gusts(gusts);
-    }
-    if (around.ambient != config.ambient)
-        change_ambient(around.ambient);
+    if (const glm::vec3 mean = outer->ambient(); mean != config.ambient) // less what its walls close
+        change_ambient(mean);
 }
 
 Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {

@@ -131,6 +131,7 @@ void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, con
 void check_rows(Reasons& reasons, const Config& config);
 /// A config inside `outer`, whose ambient wind it takes; and why it cannot be inside.
 [[nodiscard]] WINDROW_INTERNAL Config config_within(const Config& config, const Wind& outer);
+[[nodiscard]] WINDROW_INTERNAL Config config_loaded(const Config& config, const Wind& outer);
 WINDROW_INTERNAL void check_within(Reasons& reasons, const Config& config, const Wind& outer);
 [[nodiscard]] WINDROW_INTERNAL Result<void> check_room(const char* call, std::size_t values, const Box& box);
 } // namespace detail

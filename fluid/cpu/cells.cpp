@@ -241,9 +241,15 @@ void Cells::apply(const CellChange& change) {
         outer_->move_to(change.window, config_.parallel_for);
     switch (change.kind) {
     case CellChange::Kind::fill:
-        return fill_air();
+        fill_air();
+        if (outer_) { // the outer wind of now, whoever reads it first
+            fill(air.velocity);
+            held_at_ = wind_.sleep.drift;
+        }
+        return;
     case CellChange::Kind::fill_before:
         fill(frames.before);
+        std::fill_n(pressure_before_.data(), pressure_before_.size(), 0.0f);
         before_held_at_ = wind_.sleep.drift;
         return;
     case CellChange::Kind::shift:

@@ -123,6 +123,14 @@ class Cells final : public CellStorage {
     void set_kept_potential(const KeptPotential& kept);
 
     // --- For a wind whose surroundings are this one (outer_wind.h) ---------------------------------------------------------
+    /// The plants that a loaded wind is read among until its first step.
+    void set_drag(const DragCells& drag, const Window& window) {
+        drag_ = drag;
+        drag_origin_ = window.origin_cells;
+        reading_stale_ = true;
+    }
+    /// Of the wind around this one; null: none.
+    [[nodiscard]] Cells* outer_cells() const { return outer_ ? &outer_->cells() : nullptr; }
     /// From now on, the pressure of the last two ticks. Throws std::bad_alloc.
     void keep_pressure();
     [[nodiscard]] bool keeps_pressure() const { return !pressure_.empty(); }

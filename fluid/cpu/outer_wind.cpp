@@ -73,13 +73,21 @@ int around_period(int index, int count) {
 
 } // namespace
 
-OuterWind::OuterWind(const Box& box, Cells& outer) : box_(box), outer_(outer) {
+OuterWind::OuterWind(const Box& box, Cells& outer)
+    : OuterWind(box, outer, std::initializer_list{&now_, &from_, &to_, &carried_, &traced_}) {
     outer.keep_pressure();
+}
+
+// `fields`: beside end_, which alone a level further out samples.
+OuterWind::OuterWind(const Box& box, Cells& outer, std::initializer_list<Buffer<glm::vec4>*> fields) : box_(box), outer_(outer) {
     const glm::ivec3 padded = box.cells + k_halo;
     const auto cells =
         static_cast<std::size_t>(padded.x) * static_cast<std::size_t>(padded.y) * static_cast<std::size_t>(padded.z);
-    for (Buffer<glm::vec4>* field : {&now_, &end_, &from_, &to_, &carried_, &traced_})
+    end_ = Buffer<glm::vec4>(cells);
+    for (Buffer<glm::vec4>* const field : fields)
         *field = Buffer<glm::vec4>(cells);
+    if (Cells* const around = outer.outer_cells())
+        further_.reset(new OuterWind(box, *around, {}));
     // As much of the outer box as may lie around this one: a step does not allocate.
     const Box& around = outer.box();
     std::size_t most = 1;
@@ -105,7 +113,7 @@ std::size_t OuterWind::memory_bytes() const {
         bytes += field->bytes();
     for (const std::vector<Place>& places : places_)
         bytes += places.capacity() * sizeof(Place);
-    return bytes;
+    return bytes + (further_ ? further_->memory_bytes() : 0);
 }
 
 // --- Reading the outer wind --------------------------------------------------------------------------------------------------
@@ -121,10 +129,13 @@ void OuterWind::place(const Window& window, const AirOfNow& air) {
         const auto is_open = [&](int end) { return box.boundaries.at(axis, end).kind == BoundaryKind::open; };
         int lowest = k_longest_line, highest = -k_longest_line;
         std::vector<Place>& places = places_[static_cast<std::size_t>(axis)];
+        // Of a periodic axis, the period that the box begins in.
+        const glm::dvec3 first = window.centre(-k_halo_low, -k_halo_low, -k_halo_low);
+        const double periods = periodic ? count * std::floor(outer.local(first)[axis] / count) : 0.0;
         for (std::size_t n = 0; n < places.size(); ++n) {
             const int cell = static_cast<int>(n) - k_halo_low;
             const glm::dvec3 centre = window.centre(cell, cell, cell);
-            const double local = outer.local(centre)[axis];
+            const double local = outer.local(centre)[axis] - periods;
             const double sample = periodic ? local - 0.5 : std::clamp(local, 0.5, count - 0.5) - 0.5;
             Place& at = places[n];
             at.low = static_cast<int>(std::floor(sample));
@@ -201,12 +212,38 @@ void OuterWind::fill_brick(const AirOfNow& air) {
 }
 
 void OuterWind::sample(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {
-    if (outer_.asleep()) { // D is below its sleep speed
+    const bool asleep = outer_.asleep(); // D is below its sleep speed
+    if (asleep)
         std::fill_n(to.data(), to.size(), glm::vec4(0.0f));
+    if (asleep && !further_)
         return;
-    }
     const AirOfNow air(outer_);
     place(window, air);
+    if (!asleep)
+        blend(air, to, parallel_for);
+    if (further_ && reaches_beyond())
+        add_further(window, to, parallel_for);
+}
+
+bool OuterWind::reaches_beyond() const {
+    return std::any_of(places_.begin(), places_.end(), [](const std::vector<Place>& along) {
+        return std::any_of(along.begin(), along.end(), [](const Place& at) { return at.share < 1.0f; });
+    });
+}
+
+// Where the outer box ends, the level around it.
+void OuterWind::add_further(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {
+    further_->sample(window, further_->end_, parallel_for);
+    std::size_t n = 0;
+    for (const Place& z : places_[2])
+        for (const Place& y : places_[1])
+            for (const Place& x : places_[0]) {
+                to[n] += (1.0f - x.share * y.share * z.share) * further_->end_[n];
+                ++n;
+            }
+}
+
+void OuterWind::blend(const AirOfNow& air, Buffer<glm::vec4>& to, const ParallelFor& parallel_for) {
     fill_brick(air);
     const std::size_t width = places_[0].size(), height = places_[1].size();
     const std::ptrdiff_t row = brick_cells_.x, plane = row * brick_cells_.y;

@@ -4,7 +4,7 @@
 //
 // A is the ambient wind, one for all levels. D and p are read at each cell of the inner box and of its halo, linearly between the
 // outer centres. D is interpolated, never u: so the log profile below the lowest outer row stays as it is. Where the outer box
-// ends D fades to 0, as its own wind fades to the ambient one. In a step they go linearly from what the last step ended with to
+// ends D fades to 0, as its own wind fades to the ambient one, or to that of the level around it. In a step they go linearly from what the last step ended with to
 // the outer wind of now, which is up to a tick of its own late. Then U is what the ambient wind was, and beyond open boundaries
 //
 //   carried ghosts     U - (dt/2) grad p       at the start of the sub-step
@@ -25,6 +25,8 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
+#include <memory>
 #include <vector>
 
 namespace windrow::cpu {
@@ -76,6 +78,7 @@ class OuterWind final : public OuterAir {
     };
 
     [[nodiscard]] std::size_t memory_bytes() const;
+    [[nodiscard]] Cells& cells() const { return outer_; }
     /// For snapshots: the values of now, and the box that they are of.
     [[nodiscard]] std::span<const glm::vec4> values() const override { return now_; }
     [[nodiscard]] std::span<const glm::vec4> values_at_end() const override { return end_; }
@@ -90,7 +93,11 @@ class OuterWind final : public OuterAir {
         float between = 0.0f;
         float share = 1.0f; ///< of D
     };
+    OuterWind(const Box& box, Cells& outer, std::initializer_list<Buffer<glm::vec4>*> fields);
     void place(const Window& window, const class AirOfNow& air);
+    void blend(const AirOfNow& air, Buffer<glm::vec4>& to, const ParallelFor& parallel_for);
+    [[nodiscard]] bool reaches_beyond() const;
+    void add_further(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for);
     void fill_brick(const AirOfNow& air);
     void sample(const Window& window, Buffer<glm::vec4>& to, const ParallelFor& parallel_for);
     [[nodiscard]] float slope(const Buffer<glm::vec4>& of, glm::ivec3 at, int axis) const;
@@ -110,6 +117,7 @@ class OuterWind final : public OuterAir {
     glm::ivec3 brick_low_{0}, brick_cells_{0};
     std::vector<glm::dvec3> points_; ///< scratch: a row of the brick
     std::vector<glm::vec3> winds_, winds_before_;
+    std::unique_ptr<OuterWind> further_; ///< the wind around the outer wind, sampled alone; null: none
 };
 
 } // namespace windrow::cpu

@@ -71,7 +71,7 @@ class WINDROW_INTERNAL SurfaceLayer {
     [[nodiscard]] float height_of(int row, int first, float height) const;
 
     Box box_;
-    Roughness roughness_;
+    const Roughness& roughness_; ///< of the wind's config, whose map moves with the world's origin
     std::optional<Place> place_;
     std::uint64_t version_ = 0;
     float wind_height_ = 0.0f; ///< [m] of the lowest cells over the ambient wind's ground

@@ -125,17 +125,25 @@ class Air {
     void save(VkCommandBuffer commands, SavedAir& saved);
     /// Writes all of it, before any other command of the air; set 0 of the textures is of the frame shown last, set 1 of the one
     /// before. Needs `make_room_to_restore`.
-    void restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window);
+    void restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient);
 
     /// The world's origin has moved; nothing is recorded.
     void shift_origin(const OriginShift& shift) {
         shift.move(window_);
         reading_origin_ += shift.cells;
         drag_origin_ += shift.cells;
+        if (config_.roughness && config_.roughness->map)
+            shift.move(config_.roughness->map->position);
         if (outer_)
             outer_->shift_origin(shift.cells);
     }
     void make_room_to_restore();
+    /// As cpu::Cells::set_drag.
+    void set_drag(const DragCells& drag, const Window& window) {
+        drag_ = drag;
+        drag_origin_ = window.origin_cells;
+        drag_stale_ = reading_stale_ = true;
+    }
     /// What is around the box between ticks; null: the ambient wind.
     [[nodiscard]] const OuterAir* outer() const { return outer_.get(); }
     /// It is this, as OuterAir::restore takes it.
@@ -334,6 +342,7 @@ class Air {
     /// Tables on their way, where they are too many for the command buffer itself; they stay for `forget`.
     Buffer piece_;
     int slot_ = 0;        ///< of the recording
+    int slot_before_ = 0; ///< and of the one before it
     int piece_slot_ = -1; ///< the one that copies piece_; -1: none
     struct Retired {
         Buffer piece;
@@ -378,6 +387,7 @@ class Air {
     CellIndex drag_origin_{0};                      ///< of the window that it is of
     glm::ivec3 drag_torus_{0};                      ///< of the fields then
     bool reading_stale_ = true;
+    bool reading_known_ = false;      ///< Fields::reading holds what `reading_` says
     Window window_{};                 ///< of the last command
     std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries
     glm::ivec3 torus_{0};             ///< WindrowStep::torus

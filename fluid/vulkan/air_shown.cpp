@@ -72,7 +72,7 @@ void Air::renew_reading(VkCommandBuffer commands) {
     const bool made = windrow::detail::memory_lasts([&] {
         if (bodies || wall_law(config_, box()).acts())
             reading_ = reading_maker_.make(bodies ? &solids_->solids() : nullptr, config_.boundaries, window, drag_);
-        if ((reading_ || was) && !write_reading(commands))
+        if ((reading_ || was || (passes_.sample() && !reading_known_)) && !write_reading(commands))
             throw std::bad_alloc();
     });
     if (made)
@@ -83,6 +83,7 @@ void Air::renew_reading(VkCommandBuffer commands) {
     barrier(k_compute | k_transfer, k_transfer);
     write(commands, fields_.reading, std::as_bytes(std::span(&k_none, 1)));
     barrier(k_transfer, k_compute);
+    reading_known_ = true;
 }
 
 Result<void> Air::write_reading(VkCommandBuffer commands) {
@@ -98,6 +99,7 @@ Result<void> Air::write_reading(VkCommandBuffer commands) {
     barrier(k_compute | k_transfer, k_transfer);
     write(commands, fields_.reading, bytes);
     barrier(k_transfer, k_compute);
+    reading_known_ = true;
     return {};
 }
 

@@ -160,7 +160,8 @@ void Air::make_room_to_restore() {
     retired_.reserve(retired_.capacity() + std::tuple_size_v<decltype(RestoredAir::fields)>);
 }
 
-void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window) {
+void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient) {
+    const Window window = air.window;
     write_step(commands, block_of(ambient, window), ambient);
     const auto load = [&](DeviceState state, const Buffer& to, VkDeviceSize at = 0) {
         const Buffer& from = air.fields[static_cast<std::size_t>(state)];

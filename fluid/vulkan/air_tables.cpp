@@ -146,7 +146,7 @@ void Air::set_boundaries(VkCommandBuffer commands, NewBoundaries&& boundaries) {
 }
 
 void Air::begin(int slot) {
-    slot_ = slot;
+    slot_before_ = std::exchange(slot_, slot);
     fields_.step.begin(slot);
     fields_.motors.begin(slot);
     step_put_ = false;
@@ -157,6 +157,12 @@ void Air::begin(int slot) {
 }
 
 void Air::forget() {
+    // What the recording that was thrown away has replaced, those before it may still use.
+    for (Retired& retired : retired_)
+        retired.slot = retired.slot == slot_ ? slot_before_ : retired.slot;
+    for (RetiredPasses& retired : retired_passes_)
+        retired.slot = retired.slot == slot_ ? slot_before_ : retired.slot;
+    slot_ = slot_before_;
     tables_written_ = rules_written_ = cleared_ = false;
     outer_stale_ = true;
     tile_.reset();
@@ -166,7 +172,7 @@ void Air::forget() {
     shapes_.reset();
     shift_.reset();
     fresh_ = first_sources_ = true;
-    keeps_ = ordered_ = counted_ = false;
+    keeps_ = ordered_ = counted_ = reading_known_ = false;
 }
 
 // Data that is constant from tick to tick, written once.

@@ -166,7 +166,7 @@ bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
     blend.reset();
     const bool waited = waits();
     if (restored_)
-        air->restore(commands, *std::move(restored_), wind_.ambient, wind_.window());
+        air->restore(commands, *std::move(restored_), wind_.ambient);
     restored_.reset();
     if (new_sides_)
         air->set_boundaries(commands, *std::move(new_sides_));
@@ -182,6 +182,7 @@ void DeviceCells::end() {
 
 void DeviceCells::continue_from(RestoredAir&& restored) {
     air->make_room_to_restore();
+    restored.window = wind_.window();
     queue_.clear();
     queue_.make_room();
     loaded_tick_ = wind_.speed.tick();
@@ -200,6 +201,7 @@ void DeviceCells::shift_origin(const OriginShift& shift) {
     air->shift_origin(shift);
     queue_.shift_origin(shift);
     if (restored_) {
+        shift.move(restored_->window);
         shift.move(restored_->shown);
         shift.move(restored_->shown_before);
     }

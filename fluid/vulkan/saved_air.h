@@ -37,6 +37,7 @@ struct RestoredAir {
     DeviceSurface surface{};
     std::vector<float> terms{};     ///< at its faces
     std::vector<BodyLoad> loads{};  ///< of its bodies
+    Window window{};                ///< the box of the cells
     Window shown{}, shown_before{}; ///< the boxes of both frames
 };
 

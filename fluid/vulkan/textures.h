@@ -47,7 +47,7 @@ struct Texture {
 /// The textures of a frame, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after the recording in
 /// submission order. What Settings::textures leaves out is null.
 struct Textures {
-    Texture vectors{};             ///< velocity in x, y, z; 0 in w
+    Texture vectors{};             ///< as WindView::write_vectors has them
     std::array<Texture, 3> axes{}; ///< x, y, z
 };
 

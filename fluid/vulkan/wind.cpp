@@ -113,16 +113,18 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
         if (auto checked = check(config, settings, outer.get()); !checked)
             return checked.failure();
-        return make(host, config, settings, std::move(outer));
+        return make(host, config, settings, std::move(outer), false);
     });
 }
 
 // `outer` has been checked.
 Result<Wind> Wind::make(const Host& host, const Config& wanted, const Settings& settings,
-                        std::shared_ptr<const windrow::Wind> outer) {
+                        std::shared_ptr<const windrow::Wind> outer, bool loads) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
         OuterUndo undo(outer);
-        const Config config = outer ? windrow::detail::config_within(wanted, *outer) : wanted;
+        const Config config = !outer  ? wanted
+                              : loads ? windrow::detail::config_loaded(wanted, *outer)
+                                      : windrow::detail::config_within(wanted, *outer);
         if (auto checked = check(config, settings, nullptr); !checked)
             return checked.failure();
         const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);

@@ -227,7 +227,7 @@ class WINDROW_API Wind : public WindControl, public WindReader {
   private:
     explicit Wind(std::unique_ptr<State> state);
     [[nodiscard]] static Result<Wind> make(const Host& host, const Config& config, const Settings& settings,
-                                           std::shared_ptr<const windrow::Wind> outer);
+                                           std::shared_ptr<const windrow::Wind> outer, bool loads);
     [[nodiscard]] Result<WindView> read_view() const override;
     [[nodiscard]] Result<WindView> read_previous_view() const override;
     windrow::detail::Owned<State> state_;

@@ -177,7 +177,7 @@ void Wind::State::forget() {
     cells.forget();
     core.reset();
     read_backs.forget();
-    if (save && !save->done)
+    if (save && !save->done && save->slot == slot) // of the recording that was thrown away
         save.reset();
     if (clock)
         clock->forget();

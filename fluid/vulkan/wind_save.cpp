@@ -10,9 +10,9 @@ namespace windrow::vulkan {
 
 // A save that is recorded. The textures and what is read back are recorded already.
 void Wind::State::record_save(VkCommandBuffer commands) {
-    save.reset();
     save_error.clear();
     bool noted = windrow::detail::memory_lasts([&] {
+        put_save_away();
         const DeviceSurface surface = cells.air->surface();
         auto air = SavedAir::create(cells.air->device(), core.config.cells, surface.keys.size(),
                                     surface.load_duration > 0.0f ? surface.placed.size() : 0);
@@ -28,7 +28,8 @@ void Wind::State::record_save(VkCommandBuffer commands) {
             save->shown.emplace(core.frames->shown);
     });
     if (!noted) {
-        save.reset();
+        if (save && save->slot == slot) // not recorded yet
+            save.reset();
         save_failed_ = true;
         return;
     }
@@ -142,6 +143,8 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
     core.place.window.rows = core.rows.get();
     core.obstacles.set_rows(core.rows.get());
     cells.continue_from(*std::move(air));
+    if (core.config.stages.sources)
+        cells.air->set_drag(core.drag.cells_in(core.window(), core.config.boundaries), core.window());
     if (!from.level.outer.empty())
         cells.air->restore_outer(from.level.outer, from.level.outer_origin);
     textures.written = 2; // by the first recording, before all else
@@ -157,7 +160,7 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
         auto saved = windrow::Wind::load(bytes, {}, outer);
         if (!saved)
             return saved.failure();
-        auto wind = make(host, saved->config(), settings, std::move(outer));
+        auto wind = make(host, saved->config(), settings, std::move(outer), true);
         if (!wind)
             return wind;
         if (auto taken = wind->state().continue_from(windrow::loaded(*saved)); !taken)

@@ -45,7 +45,8 @@ struct WINDROW_HIDDEN Wind::State {
     int dispatches = 0, barriers = 0;
     int slot = 0; ///< of the last recording
     std::optional<WindSave> save;
-    std::string save_error; ///< why the last recording with Frame::save has none; empty: there is none, or it has
+    std::vector<WindSave> old_saves; ///< replaced while their recordings may be in flight
+    std::string save_error;          ///< why the last recording with Frame::save has none; empty: there is none, or it has
     /// Position of the textures of the last recording, and of the one before it.
     std::optional<ShownFrame> recorded, recorded_before;
 
@@ -72,6 +73,13 @@ struct WINDROW_HIDDEN Wind::State {
     void note_done(int slot_done) {
         if (save && save->slot == slot_done)
             save->done = true;
+        std::erase_if(old_saves, [&](const WindSave& old) { return old.slot == slot_done; });
+    }
+    /// The recording that holds it may run still. Throws std::bad_alloc.
+    void put_save_away() {
+        if (save && !save->done)
+            old_saves.push_back(*std::exchange(save, {}));
+        save.reset();
     }
 
     bool save_failed_ = false;    ///< for lack of host memory

@@ -30,6 +30,51 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
     pair.submitter->wait();
 }
 
+// A house is taken away in a recording that is thrown away: nothing of it is left to read.
+TEST_F(WindRecordings, ThatAreForgottenLeaveNoHouseBehind) {
+    auto wind = Wind::create(sharing_host(), {.cells = {10, 8, 10}, .ambient = {3.0f, 0.0f, 0.0f}},
+                             {.frames_in_flight = 1, .queries = ReadBack::points});
+    ASSERT_TRUE(wind) << wind.error();
+    const auto house = wind->obstacles().add({.shape = Block{{1.5f, 1.5f, 1.5f}}});
+    ASSERT_TRUE(house);
+    const glm::dvec3 places[] = {{1.2, 0.3, 0.2}, {-1.8, 0.1, 0.0}};
+    const auto record = [&](VkCommandBuffer commands) {
+        held(wind->record_step(commands, {.dt = 1.0 / 30.0, .points = places, .slot = 0}));
+    };
+    run(record);
+    ASSERT_TRUE(wind->obstacles().remove(*house));
+    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { record(commands); });
+    wind->forget();
+    run(record);
+    (void)wind->collect(0);
+    const auto found = wind->queried_points();
+    ASSERT_TRUE(found);
+    for (const glm::vec4& u : found->velocities)
+        EXPECT_NEAR(glm::length(glm::vec3(u) - glm::vec3(3.0f, 0.0f, 0.0f)), 0.0f, 1e-4f);
+}
+
+// What a recording that is thrown away has replaced, the frame in flight before it still uses: the layer says where not.
+TEST_F(WindRecordings, ThatAreForgottenEndNothingInFlight) {
+    TwoWinds pair = make({.cells = {16, 10, 16}, .ambient = {2.0f, 0.0f, 1.0f}}, 2);
+    const auto add_block = [&](auto& wind, double at) {
+        ASSERT_TRUE(wind.obstacles().add({.position = {at, 0.3 * at, -at}, .shape = Block{{0.7f, 0.8f, 0.6f}}}));
+    };
+    add_block(pair.device, 0.0);
+    for (int n = 0; n < 3; ++n)
+        pair.submitter->frame(
+            [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.03, .slot = slot})); });
+    for (int n = 1; n < 13; ++n)
+        add_block(pair.device, 0.55 * (n % 2 == 0 ? n : -n));
+    pair.submitter->discard(
+        [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.03, .slot = slot})); });
+    pair.device.forget();
+    for (int n = 0; n < 3; ++n)
+        pair.submitter->frame(
+            [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.03, .slot = slot})); });
+    pair.submitter->wait();
+    EXPECT_TRUE(pair.device.collect(0));
+}
+
 // What was thrown away counts as no recording: the next unnamed one takes its slot, whose turn it still is.
 TEST_F(WindRecordings, ThatAreForgottenLeaveTheTurnOfTheirSlot) {
     auto wind = Wind::create(sharing_host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});

@@ -79,6 +79,24 @@ TEST_F(WindObstacles, InMemoryThatIsNotZero) {
     }
 }
 
+// Passes that are made for obstacles read the tables of none.
+TEST_F(WindObstacles, NoneAtFirstInMemoryThatIsNotZero) {
+    Memory blocks(own->host(), device->functions());
+    Host host = sharing_host();
+    host.memory = memory_of(blocks);
+    auto wind =
+        Wind::create(host, {.cells = {8, 6, 8}, .ambient = {3.0f, 0.0f, 1.0f}}, {.queries = ReadBack::points, .obstacles = true});
+    ASSERT_TRUE(wind) << wind.error();
+    const glm::dvec3 places[] = {{0.3, 0.2, -1.0}, {-2.0, 1.0, 2.0}};
+    for (int n = 0; n < 2; ++n)
+        run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = 0.03, .points = places, .slot = 0})); });
+    ASSERT_TRUE(wind->collect(0));
+    const auto found = wind->queried_points();
+    ASSERT_TRUE(found);
+    for (const glm::vec4& u : found->velocities)
+        EXPECT_NEAR(glm::length(glm::vec3(u) - glm::vec3(3.0f, 0.0f, 1.0f)), 0.0f, 1e-5f);
+}
+
 TEST_F(WindObstacles, AWalkAlongFencesInGusts) {
     TwoWinds pair = make(gusty_over_floor());
     for (int n = 0; n < 3; ++n)

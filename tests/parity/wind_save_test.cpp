@@ -66,6 +66,33 @@ class WindSaves : public WindParity {
     static TwoWinds twins(windrow::Wind cpu, Wind gpu) { return {std::move(cpu), std::move(gpu), 1, nullptr}; }
 };
 
+// Each replaces the one before, which the device may be copying still.
+TEST_F(WindSaves, OfFramesInFlightReplaceEachOther) {
+    TwoWinds pair = make(stormy(), 2, {.texel = Texel::single, .queries = ReadBack::cells});
+    for (int n = 0; n < 6; ++n)
+        pair.submitter->frame([&](VkCommandBuffer commands, int slot) {
+            held(pair.device.record_step(commands, {.dt = 0.02, .slot = slot, .save = true}));
+        });
+    pair.submitter->wait();
+    (void)pair.device.collect(1);
+    EXPECT_TRUE(windrow::Wind::load(bytes_of(pair.device)));
+}
+
+// The box moves between the load and the first recording, which lets no time pass: readers find bodies where they are.
+TEST_F(WindSaves, ThatMoveBeforeTheirFirstTickAreReadRight) {
+    windrow::Wind cpu = *windrow::Wind::create({.cells = {14, 10, 12}, .ambient = {3.0f, 0.0f, 1.0f}});
+    ASSERT_TRUE(cpu.obstacles().add({.position = {0.3, 0.2, -0.4}, .shape = Block{{1.6f, 1.3f, 1.2f}}}));
+    for (int n = 0; n < 10; ++n)
+        (void)cpu.step(0.05);
+    Wind gpu = load(*cpu.save());
+    ASSERT_TRUE(cpu.follow({1.0, 0.0, 0.0}) && gpu.follow({1.0, 0.0, 0.0}));
+    record(gpu, 0.0, false);
+    for (int n = 0; n < 200; ++n) {
+        const glm::dvec3 at(-3.0 + 0.03 * n, 0.02 * (n % 50) - 0.5, 0.03 * (n % 61) - 1.0);
+        ASSERT_LE(glm::length(gpu.velocity(at) - cpu.velocity(at)), 1e-4f) << n;
+    }
+}
+
 TEST_F(WindSaves, ContinueToTheBit) {
     for (const bool ticks : {true, false}) {
         auto made = Wind::create(sharing_host(), stormy(), k_settings);

@@ -112,6 +112,27 @@ TEST(AirFields, PressureAroundABlockIsItsForce) {
               "write_pressure got room for 3 cells, but the box has 18432: give one array of box().cell_count().");
 }
 
+// Walls that open let the smoke out, and it takes a new mean wind.
+TEST(Tracer, HasTheBoundariesOfItsWind) {
+    Boundaries walls;
+    walls.x_low.kind = walls.x_high.kind = BoundaryKind::free_slip;
+    auto wind = Wind::create({.cells = {12, 6, 8}, .boundaries = walls, .ambient = {4.0f, 0.0f, 0.0f}});
+    ASSERT_TRUE(wind);
+    auto smoke = Tracer::create(wind->view());
+    ASSERT_TRUE(smoke);
+    smoke->blow({0.0, 0.0, 0.0}, 2.0f);
+    ASSERT_TRUE(wind->set_boundaries({}) && wind->set_ambient({4.0f, 0.0f, 1.0f}));
+    wind->reset();
+    for (int n = 0; n < 60; ++n) {
+        (void)wind->step(0.1);
+        ASSERT_TRUE(smoke->step(wind->view(), {}, 0.1));
+    }
+    double left = 0.0;
+    for (const float value : smoke->cells())
+        left += static_cast<double>(value);
+    EXPECT_LE(left, 0.05);
+}
+
 // A puff in a uniform wind goes where the wind goes, in a box that follows it.
 TEST(Tracer, GoesWithTheWindAndTheBox) {
     auto wind = Wind::create({.cells = {24, 12, 16}, .ambient = {4.0f, 0.0f, 1.0f}});

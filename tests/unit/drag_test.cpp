@@ -381,6 +381,21 @@ TEST(Drag, IsSavedAndReplayedToTheBit) {
     }
 }
 
+// Readers among plants take no law of the wall, before the first step too.
+TEST(Drag, IsReadAtOnceAfterALoad) {
+    Wind wind = made({.cells = {16, 8, 12},
+                      .boundaries = Boundaries::open_over_floor(),
+                      .ambient = {5.0f, 0.0f, 0.0f},
+                      .profile = LogProfile{},
+                      .roughness = Roughness{}});
+    ASSERT_TRUE(wind.drag().add(PlantDrag{.position = {0.3, 0.0, 0.2}, .radius = 1.2f, .height = 1.5f}));
+    for (int n = 0; n < 20; ++n)
+        (void)wind.step(1.0 / 20.0);
+    const Wind again = *Wind::load(*wind.save());
+    for (const double height : {0.02, 0.05, 0.2, 0.8, 2.0})
+        EXPECT_EQ(wind.velocity({0.4, height, 0.1}), again.velocity({0.4, height, 0.1})) << height;
+}
+
 TEST(Drag, RejectsWhatItCannotUse) {
     const auto reason = [](const DragDeposit& deposit) {
         const auto valid = validate(deposit);

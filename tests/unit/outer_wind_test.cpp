@@ -1,4 +1,5 @@
 // A wind inside another one: what it takes from the outer wind, and that it takes nothing where that is the ambient wind.
+#include "tests/figure.h"
 #include "tests/winds.h"
 
 #include <algorithm>
@@ -173,6 +174,20 @@ TEST(OuterWind, HasTheAmbientWindOfAllLevels) {
     EXPECT_EQ(inner.ambient(), glm::vec3(7.0f, 0.0f, 0.0f));
     EXPECT_EQ(inner.config().gusts.intensity, 0.2f);
     EXPECT_LE(test::off_ambient(inner), 1e-4);
+
+    // What the walls of the outer wind close is closed for all levels, and another tile is one for all.
+    const auto walled = shared(test::with(around(), [](Config& config) {
+        config.boundaries.z_low.kind = config.boundaries.z_high.kind = BoundaryKind::free_slip;
+        config.ambient = {3.0f, 0.0f, 4.0f};
+        config.gusts.intensity = 0.3f;
+    }));
+    Wind between = within(walled, inside());
+    EXPECT_EQ(between.ambient(), glm::vec3(3.0f, 0.0f, 0.0f));
+    ASSERT_TRUE(walled->set_gusts({.intensity = 0.3f, .tile = GustTile::bake(77)}));
+    for (Wind* wind : {walled.get(), &between})
+        test::take_steps(*wind, 1, 0.05);
+    const glm::dvec3 place(1.0, 2.0, 3.0);
+    EXPECT_EQ(between.ambient_wind().velocity(place), walled->ambient_wind().velocity(place));
 }
 
 // A snapshot of each level goes on with the same bits, in the middle of frames and after the box has moved.
@@ -189,6 +204,8 @@ TEST(OuterWind, SnapshotsGoOnWithTheSameBits) {
     };
     for (int n = 0; n < 61; ++n)
         frame(outer, inner, n);
+    // The weather changes between the last tick of the inner wind and the save.
+    ASSERT_TRUE(outer->set_ambient({8.0f, 0.0f, 1.0f}) && outer->set_gusts({.intensity = 0.3f}));
     const auto large = outer->save(), small = inner.save();
     ASSERT_TRUE(large && small);
     const auto outer_again = std::make_shared<Wind>(*Wind::load(*large));
@@ -206,6 +223,113 @@ TEST(OuterWind, SnapshotsGoOnWithTheSameBits) {
     EXPECT_NE(no_outer.error().find("saved with an outer wind"), std::string::npos);
     const auto one_too_many = Wind::load(*large, {}, outer);
     EXPECT_NE(one_too_many.error().find("saved without an outer wind"), std::string::npos);
+}
+
+// Sub-steps while a body moves follow from the outer wind's speed too.
+TEST(OuterWind, TakesAsManySubstepsAfterALoad) {
+    auto outer = shared(test::with(around(), [](Config& config) { config.ticks.hz = 5.0; }));
+    (void)test::added(*outer,
+                      DirectionalMotor{.position = {0.0, 3.0, 0.0}, .region = Sphere{6.0f}, .law = Drive{.speed = 60.0f}});
+    Wind inner = within(outer, test::with(inside(), [](Config& config) { config.cell_size = 0.25f; }));
+    const auto body = inner.obstacles().add({.position = {0.0, 1.0, 0.0}, .shape = Sphere{0.4f}});
+    ASSERT_TRUE(body);
+    const auto tick = [&](Wind& large, Wind& small, int n) {
+        (void)large.advance(1.0 / 30.0);
+        EXPECT_TRUE(small.obstacles().move(*body, {0.02 * n, 1.0, 0.0}));
+        return small.advance(1.0 / 30.0).last.substeps;
+    };
+    for (int n = 0; n < 28; ++n)
+        (void)tick(*outer, inner, n);
+    const auto again = std::make_shared<Wind>(*Wind::load(*outer->save()));
+    Wind loaded = *Wind::load(*inner.save(), {}, again);
+    for (int n = 28; n < 33; ++n) {
+        const int wanted = tick(*outer, inner, n);
+        EXPECT_GT(wanted, 1);
+        EXPECT_EQ(tick(*again, loaded, n), wanted) << n;
+    }
+    EXPECT_EQ(test::largest_apart(inner.field(), loaded.field()), 0.0);
+}
+
+TEST(OuterWind, IsTheSameWhetherItIsReadOrNot) {
+    for (const bool jumps : {false, true}) {
+        const auto outer = shared(around());
+        (void)test::added(*outer, k_fan);
+        Wind read = within(outer, inside()), unread = within(outer, inside());
+        for (int n = 0; n < 40; ++n) {
+            test::take_steps(*outer, 1, 1.0 / 30.0);
+            for (Wind* wind : {&read, &unread}) {
+                if (n == 30 && jumps) {
+                    ASSERT_TRUE(wind->follow({-40.0, 0.0, 0.0}) && wind->follow({3.0, 0.0, 0.0}));
+                } else if (n == 30) {
+                    wind->reset();
+                }
+            }
+            if (n >= 30)
+                (void)read.velocity({0.0, 2.0, 0.0});
+            for (Wind* wind : {&read, &unread})
+                test::take_steps(*wind, 1, 1.0 / 30.0);
+        }
+        EXPECT_EQ(test::largest_apart(read.field(), unread.field()), 0.0) << jumps;
+    }
+}
+
+TEST(OuterWind, LeavesNoPressureBehindAReset) {
+    const auto outer = shared(around()), fresh = shared(around());
+    Wind inner = within(outer, inside()), first = within(fresh, inside());
+    const MotorId fan = test::added(*outer, k_fan);
+    for (int n = 0; n < 60; ++n) {
+        (void)outer->advance(1.0 / 30.0);
+        (void)inner.advance(1.0 / 30.0);
+    }
+    ASSERT_TRUE(outer->motors().remove(fan));
+    for (Wind* wind : {outer.get(), &inner})
+        wind->reset();
+    for (int n = 0; n < 6; ++n)
+        for (Wind* wind : {outer.get(), &inner, fresh.get(), &first})
+            (void)wind->advance(1.0 / 30.0);
+    EXPECT_LE(test::largest_apart(inner.field(), first.field()), 1e-6);
+}
+
+// A garden stands still in a landscape; the window of a player walks out of it. There it has the landscape's wind, as one without
+// the garden has.
+TEST(OuterWind, OfAMiddleLevelThatEndsIsTheNext) {
+    const auto land = shared({.cells = {40, 8, 40}, .cell_size = 4.0f, .ambient = {6.0f, 0.0f, 0.0f}, .ticks = {.hz = 10.0}});
+    (void)test::added(*land, DirectionalMotor{.position = {24.0, 0.0, 0.0},
+                                              .direction = {0.0f, 0.0f, 1.0f},
+                                              .region = Sphere{9.0f},
+                                              .law = Drive{.speed = 9.0f}});
+    const auto garden =
+        std::make_shared<Wind>(within(land, {.cells = {16, 8, 16}, .cell_size = 2.0f, .follow_axes = glm::bvec3(false)}));
+    Wind walks = within(garden, {.cells = {12, 8, 12}}), alone = within(land, {.cells = {12, 8, 12}});
+    for (int n = 0; n < 240; ++n)
+        for (Wind* wind : {land.get(), garden.get(), &walks, &alone}) {
+            if (wind == &walks || wind == &alone) {
+                ASSERT_TRUE(wind->follow({0.1 * n, 0.0, 0.0}));
+            }
+            (void)wind->advance(1.0 / 20.0);
+        }
+    // [m/s] Across the mean wind, where the middle level alone has none.
+    const float expected = alone.velocity({23.9, 0.0, 0.0}).z;
+    EXPECT_LT(expected, -3.0f);
+    WINDROW_EXPECT_FIGURE("outer_wind.beyond_a_middle_level", std::abs(walks.velocity({23.9, 0.0, 0.0}).z - expected), 0.6);
+}
+
+// A box that repeats is around every place.
+TEST(OuterWind, IsFollowedFarWhereItRepeats) {
+    const auto outer = shared({.cells = {16, 8, 16},
+                               .boundaries = {.x_low = {BoundaryKind::periodic}, .x_high = {BoundaryKind::periodic}},
+                               .ambient = {5.0f, 0.0f, 0.0f}});
+    (void)test::added(*outer, DirectionalMotor{.position = {2.0, 0.0, 0.0}, .law = Drive{.speed = 7.0f}});
+    test::take_steps(*outer, 20, 0.05);
+    for (const double place : {9000.0, -9008.0, 1.6e9}) {
+        Wind here = within(outer, {.cells = {8, 4, 8}}), there = within(outer, {.cells = {8, 4, 8}});
+        ASSERT_TRUE(here.follow({8.0, 0.0, 0.0}) && there.follow({place + 8.0, 0.0, 0.0}));
+        for (Wind* wind : {&here, &there})
+            test::take_steps(*wind, 3, 0.05);
+        if (std::fmod(place, 16.0) == 0.0) {
+            EXPECT_LE(test::largest_apart(here.field(), there.field()), 1e-4) << place;
+        }
+    }
 }
 
 // Cells that the outer wind repairs in its next step do not come in before.
@@ -229,6 +353,12 @@ TEST(OuterWind, RejectsWhatItCannotBe) {
     const std::string beyond = error([](Config& config) { config.centre.x = 15.0; });
     EXPECT_NE(beyond.find("from 9 to 21 m along x"), std::string::npos) << beyond;
     EXPECT_NE(error([](Config& config) { config.cells.y = 20; }).find("along y"), std::string::npos);
+    const auto tiny = shared({.cells = {16, 16, 16},
+                              .cell_size = 0.012f,
+                              .boundaries = {.x_low = {BoundaryKind::periodic}, .x_high = {BoundaryKind::periodic}}});
+    const std::string many = Wind::create({.cells = {64, 4, 4}, .cell_size = 1.0f}, tiny).error();
+    EXPECT_NE(many.find("the box spans 5753 cells of its outer wind along x: give larger outer cells."), std::string::npos)
+        << many;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The box that follows: nothing inside is lost, what is new is ambient, and where in the world it happens makes no difference.
 
 #include "fluid/event_log.h"
+#include "tests/shapes.h"
 #include "tests/winds.h"
 
 #include <cstring>
@@ -228,7 +229,7 @@ TEST(Window, AMillionMetresAwayEqualsTheOrigin) {
 /// frame.
 struct FloatingWorld {
     explicit FloatingWorld(glm::dvec3 way_, Config config) : way(way_), wind(made(config)) {
-        dog = added(wind, WakeMotor{.position = {-6.0, 1.0, 0.0}, .radius = 1.0f});
+        dog = added(wind, WakeMotor{.position = {-6.0, 1.0, 0.0}, .radius = 1.0f, .turbulence = {.intensity = 0.3f}});
         (void)added(wind, PressureMotor{.position = {4.0, 5.0, 2.0}, .radius = 1.2f});
         door = *wind.obstacles().add({.position = {1.0, 2.0, -1.5}, .shape = Block{{1.2f, 1.7f, 0.4f}}});
         EXPECT_TRUE(wind.obstacles().add({.position = {-3.0, 1.0, 3.0}, .shape = Sphere{1.1f}}));
@@ -258,9 +259,11 @@ TEST(Window, AShiftOfTheOriginChangesNoAir) {
                         .gusts = {.intensity = 0.2f}};
     const double period = made(config).ambient_wind().period();
     ASSERT_EQ(period, std::round(period));
-    for (const bool whole : {true, false}) {
+    Config over_no_floor = config;
+    over_no_floor.boundaries = {};
+    for (const auto& [air, whole] : {std::pair{config, true}, std::pair{config, false}, std::pair{over_no_floor, false}}) {
         const glm::dvec3 way = whole ? glm::dvec3(4.0 * period, 0.0, -2.0 * period) : glm::dvec3(4711.0, 3.0, -815.0);
-        FloatingWorld stays(glm::dvec3(0.0), config), floats(way, config);
+        FloatingWorld stays(glm::dvec3(0.0), air), floats(way, air);
         EventLog log;
         const auto start = floats.wind.save();
         floats.wind.record_to(&log);
@@ -301,6 +304,32 @@ TEST(Window, AShiftOfTheOriginChangesNoAir) {
         floats.wind.step(1.0 / 60.0);
         EXPECT_EQ(cells_that_differ(copy(loaded.field()), copy(floats.wind.field())), 0u);
     }
+}
+
+TEST(Window, AShiftOfTheOriginMovesTheRoughness) {
+    Config config{.cells = {16, 8, 8},
+                  .boundaries = Boundaries::open_over_floor(),
+                  .ambient = {5.0f, 0.0f, 0.0f},
+                  .profile = LogProfile{},
+                  .roughness = Roughness{}};
+    config.roughness->map =
+        RoughnessMap{.lengths = heights_of({41, 41}, 1.0f, [](double x, double) { return x < 20.0 ? 0.002f : 0.5f; }),
+                     .position = {-20.0, 0.0, -20.0}};
+    Wind stays = made(config), floats = made(config);
+    for (int n = 0; n < 30; ++n) {
+        const glm::dvec3 origin = n < 5 ? glm::dvec3(0.0) : glm::dvec3(64.0, 0.0, -32.0);
+        if (n == 5) {
+            ASSERT_TRUE(floats.shift_origin(origin));
+        }
+        for (Wind* wind : {&stays, &floats})
+            (void)wind->step(1.0 / 20.0);
+    }
+    Wind loaded = *Wind::load(*floats.save());
+    for (Wind* wind : {&stays, &floats, &loaded})
+        (void)wind->step(1.0 / 20.0);
+    EXPECT_LE(largest_apart(stays.field(), floats.field()), 1e-5);
+    EXPECT_EQ(cells_that_differ(copy(loaded.field()), copy(floats.field())), 0u);
+    EXPECT_EQ(stays.velocity({3.0, 0.2, 0.0}), floats.velocity({67.0, 0.2, -32.0}));
 }
 
 TEST(Window, AShiftOfTheOriginIsOfWholeCells) {
