@@ -290,7 +290,7 @@ struct StateFields {
                 archive.require(mark == k_levels_mark, "bytes follow its last field.");
             }
             if (mark == k_levels_mark)
-                archive(level.pressure, level.pressure_before, level.shown_factor, level.outer, level.outer_origin);
+                archive(level.pressure, level.pressure_before, level.shown_factor, level.filled, level.outer, level.outer_origin);
             archive.require(has_outer || level.outer.empty(),
                             "it was saved with an outer wind: load that first, and give it to Wind::load.");
             archive.require(!has_outer || !level.outer.empty(), "it was saved without an outer wind: load it without one.");
@@ -300,7 +300,7 @@ struct StateFields {
         } else {
             level = cells.level_state();
             if (!level.pressure.empty() || !level.outer.empty())
-                archive(k_levels_mark, level.pressure, level.pressure_before, level.shown_factor, level.outer,
+                archive(k_levels_mark, level.pressure, level.pressure_before, level.shown_factor, level.filled, level.outer,
                         level.outer_origin);
         }
     }

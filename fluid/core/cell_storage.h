@@ -135,6 +135,7 @@ class CellStorage {
 struct LevelState {
     std::vector<float> pressure{}, pressure_before{}; ///< [m^2/s^2] of the cells; a device keeps none
     float shown_factor = 1.0f;
+    bool filled = false;        ///< and not stepped since
     std::vector<float> outer{}; ///< D and p of padded cells
     CellIndex outer_origin{0};
 };

@@ -241,12 +241,8 @@ void Cells::apply(const CellChange& change) {
         outer_->move_to(change.window, config_.parallel_for);
     switch (change.kind) {
     case CellChange::Kind::fill:
-        fill_air();
-        if (outer_) { // the outer wind of now, whoever reads it first
-            fill(air.velocity);
-            held_at_ = wind_.sleep.drift;
-        }
-        return;
+        filled_ = true;
+        return fill_air();
     case CellChange::Kind::fill_before:
         fill(frames.before);
         std::fill_n(pressure_before_.data(), pressure_before_.size(), 0.0f);
@@ -261,6 +257,7 @@ void Cells::apply(const CellChange& change) {
     case CellChange::Kind::set:
         return set(change.cells);
     case CellChange::Kind::keep:
+        refill();
         return keep();
     case CellChange::Kind::begin_frames:
         keep();
@@ -280,7 +277,14 @@ void Cells::fill_air() {
     std::fill_n(pressure_.data(), pressure_.size(), 0.0f);
 }
 
+// Air that is filled and not stepped yet is that of the outer wind as the step finds it, whoever read it before.
+void Cells::refill() {
+    if (std::exchange(filled_, false) && outer_)
+        held_at_ = k_unheld;
+}
+
 void Cells::set(std::span<const glm::vec4> cells) {
+    filled_ = false;
     std::transform(cells.begin(), cells.end(), air.velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     held_at_ = wind_.sleep.drift;
     air.fresh = inside_is_air_ = true;

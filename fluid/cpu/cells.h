@@ -209,6 +209,7 @@ class Cells final : public CellStorage {
     class Solving;
     /// Places the obstacles for a sub-step that ends `early` [s] before the step; true where some came, went or moved.
     [[nodiscard]] bool place_obstacles(const CellStep& step, double early, Diagnostics& report);
+    void refill();
     void put_obstacles(glm::ivec3 shift);
     void lift_obstacles(CellIndex by);
     void uncover();
@@ -291,6 +292,7 @@ class Cells final : public CellStorage {
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
     std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell
+    bool filled_ = false;                  ///< and not stepped since
     bool place_again_ = false;             ///< memory was missing
     float potential_weight_ = 0.0f;        ///< as KeptPotential has it
     bool inside_is_air_ = false;           ///< cells of `placed_` were filled since, and do not hold their velocity

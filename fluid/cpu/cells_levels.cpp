@@ -135,7 +135,10 @@ void Cells::shift_pressure(const CellChange& change) {
 
 LevelState Cells::level_state() const {
     const auto copied = [](std::span<const float> field) { return std::vector<float>(field.begin(), field.end()); };
-    LevelState level{.pressure = copied(pressure_), .pressure_before = copied(pressure_before_), .shown_factor = shown_factor_};
+    LevelState level{.pressure = copied(pressure_),
+                     .pressure_before = copied(pressure_before_),
+                     .shown_factor = shown_factor_,
+                     .filled = filled_};
     if (outer_) {
         level.outer = copied({&outer_->values().data()->x, 4 * outer_->values().size()});
         level.outer_origin = outer_->origin();
@@ -155,6 +158,7 @@ bool Cells::set_level_state(const LevelState& level) {
         std::copy(level.pressure_before.begin(), level.pressure_before.end(), pressure_before_.data());
     }
     shown_factor_ = level.shown_factor;
+    filled_ = level.filled;
     if (outer_)
         outer_->restore(level.outer, level.outer_origin);
     return true;

@@ -71,6 +71,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     const auto dt = static_cast<float>(step.duration);
     work.state().obstacles_ms = 0.0;
     sampled_.held = false;
+    refill();
     canopy_ = step.canopy;
     const bool plants_differ = step.drag_change.any() || drag_.any() != step.drag.any() ||
                                (step.drag.any() && drag_origin_ != step.window->origin_cells);

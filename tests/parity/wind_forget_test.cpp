@@ -39,7 +39,7 @@ TEST_F(WindRecordings, ThatAreForgottenLeaveNoHouseBehind) {
     ASSERT_TRUE(house);
     const glm::dvec3 places[] = {{1.2, 0.3, 0.2}, {-1.8, 0.1, 0.0}};
     const auto record = [&](VkCommandBuffer commands) {
-        held(wind->record_step(commands, {.dt = 1.0 / 30.0, .points = places, .slot = 0}));
+        held(wind->record_step(commands, {.dt = 1.0 / 30.0, .slot = 0, .points = places}));
     };
     run(record);
     ASSERT_TRUE(wind->obstacles().remove(*house));

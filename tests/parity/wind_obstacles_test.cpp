@@ -89,7 +89,7 @@ TEST_F(WindObstacles, NoneAtFirstInMemoryThatIsNotZero) {
     ASSERT_TRUE(wind) << wind.error();
     const glm::dvec3 places[] = {{0.3, 0.2, -1.0}, {-2.0, 1.0, 2.0}};
     for (int n = 0; n < 2; ++n)
-        run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = 0.03, .points = places, .slot = 0})); });
+        run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = 0.03, .slot = 0, .points = places})); });
     ASSERT_TRUE(wind->collect(0));
     const auto found = wind->queried_points();
     ASSERT_TRUE(found);
