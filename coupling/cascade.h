@@ -32,8 +32,13 @@ struct Pose {
     double scale = 1.0;                      ///< above 0
 };
 
+/// Stages of a cascade and its lag behind the body.
 struct CascadeConfig {
+    /// 1 to 64, default 10. Number of stages. With more the tip waits and then moves at once, with fewer it drags: its lag
+    /// spreads by lag / sqrt(stages). 10 is the choice of Bloodelic's stylised fur.
     int stages = 10;
+    /// [s] A number above 0, at most 60, default 0.25. Mean delay of the tip; shells lag in proportion to their height. 0.25 is
+    /// visible and ends within a few frames.
     double lag = 0.25;
 
     static constexpr auto settings() {

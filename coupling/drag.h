@@ -21,13 +21,24 @@ struct FieldPath;
 
 /// Mechanical properties of a stalk, uniform along its length.
 struct Drag {
+    /// [m] 1e-4 to 200, default 0.3. Length of the stalk; 0.3 is meadow grass. In a scene it is that of the class. The bend grows
+    /// with its cube.
     float length = 0.3f;
+    /// [m] 1e-6 to 100, default 0.004. Width across the wind, leaves included. A blade of grass has 0.004.
     float width = 0.004f;
+    /// [N m2] 1e-12 to 1e12, default 4.2e-5. E I. 4.2e-5 is a blade creased to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001).
     float rigidity = 4.2e-5f;
+    /// 0 to 10, default 1.95. A flat plate has 1.95 (Luhar & Nepf 2011), a round stem 1.1, a crown 0.3; 0: no wind bends it.
     float drag_coefficient = 1.95f;
+    /// [kg/m3] 0 to 2000, default 1.2. 1.2 is air at 20 C.
     float air_density = 1.2f;
+    /// -2 to 0, default 0. Loss of drag as leaves close up: speed to this power above vogel_speed. 0: only the loss by the bend,
+    /// which is -2/3. Crowns have -0.7 (Vogel 1989).
     float vogel_exponent = 0.0f;
+    /// [m/s] 0.001 to 1000, default 5. Speed above which leaves turn and close up.
     float vogel_speed = 5.0f;
+    /// [rad] 0 to 2.5, default 1.5707964. Upper bound of the tip's bend. No steady wind exceeds pi/2, a spring that overshoots
+    /// may; shells stay within pi/2.
     float max_bend = 1.57079633f;
 
     static constexpr auto settings() {

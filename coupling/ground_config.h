@@ -12,17 +12,35 @@
 
 namespace windrow {
 
+/// Memory of trodden ground: its square of texels, and how fast the ground rises again.
 struct GroundConfig {
+    /// 8 to 512, default 128. Texels along each edge of its square window. 128 are 32 m at 0.25 m, and 1 MB on a device.
     int texels = 128;
+    /// [m] 0.01 to 100, default 0.25. Edge of a texel. At 0.25 a walker's radius covers several; with coarser ones a path looks
+    /// like beads.
     float texel_size = 0.25f;
+    /// Spring of the plants, one class for the window. Default: grass.
     SpringClass spring = springs::grass;
+    /// [rad] 0 to 2.5, default 1.4. Lean of plants right beside a walker of weight 1. pi/2 is flat, more points down; 1.4 is
+    /// nearly flat.
     float push = 1.4f;
+    /// 0 to 1, default 0.5. Fraction of that lean that stays as a trail. 0: plants rise at once; 1: with trail_time alone.
     float trail_fraction = 0.5f;
+    /// [s] 0.01 to 1e6, default 20. Time in which a trail falls to 1/e. With 20 it is invisible after a minute.
     float trail_time = 20.0f;
+    /// [s] 0.01 to 1e6, default 0.8. Time in which the pressing falls to 1/e, about the time in which a blade rises. Pressed
+    /// plants do not follow the wind.
     float trample_time = 0.8f;
+    /// [m] 0.001 to 100, default 0.4. Height of the feet above which they do not touch plants; 0.4 is knee-high grass. At half of
+    /// it the weight is half. Feet that are deeper in the ground than this press less, and from twice of it nothing.
     float clearance = 0.4f;
+    /// [m] 0.001 to 12800, default 2. Width over which the memory fades to the lean of the wind at the window's edge; at most a
+    /// quarter of the window.
     float blend_width = 2.0f;
+    /// [m/s] 0 (never) to 1e9, default 100. A walker that moved faster in the step has jumped: it stands at its new place and
+    /// sweeps nothing on the way. As that of the wind (Config::jump_speed).
     float jump_speed = 100.0f;
+    /// 1 to 256, default 64. Maximal number of walkers in the window per step. Of more, only the first ones count.
     int max_walkers = 64;
 
     static constexpr auto settings() {

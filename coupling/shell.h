@@ -20,19 +20,35 @@
 
 namespace windrow {
 
+/// Shells of a coat and their strands. The default strand is a bundle of hairs that a light wind moves, 15 degrees at 3 m/s.
 struct ShellSettings {
+    /// 2 to 4096, default 32. Number of layers. Of a mesh from a file, the default is that of the material's fur line.
     int shells = 32;
+    /// Default true. Whether the outermost layer is at the tip, layer i at i / (N - 1), so that the look does not depend on N;
+    /// else layer i is at i / N.
     bool reaches_tip = true;
+    /// [m] 1e-6 to 100, default 0.03. Length of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is that
+    /// of the material's fur line.
     float length = 0.03f;
+    /// A number above 0, at most 10, default 1. Heights are (i / d)^spacing: above 1 layers gather at the skin.
     float spacing = 1.0f;
+    /// 0 to 1, default 0. Fraction of the length by which all layers are lifted: a little lifts shell 0 off a skin that is drawn
+    /// too.
     float bias = 0.0f;
+    /// [m] -100 to 100, default 0.015. Displacement of the tip for a direction of length 1, in the translated form.
     float push = 0.015f;
+    /// A number above 0, at most 10, default 2. The push grows as height^this: at 2 roots stay upright and tips lean.
     float push_exponent = 2.0f;
+    /// [m] 0 to 100, default 0. Droop of the tip, in the translated form.
     float droop = 0.0f;
+    /// 0.001 to 1000, default 3. p of the droop (p^h - 1) / (p - 1): above 1 it bends toward the tip, 1 is linear.
     float droop_shape = 3.0f;
+    /// [rad] 0 to 1.5707964, default 0.3. Sag of the tip of a horizontal strand, in the bent form. Strands that a map shortens
+    /// sag by its cube.
     float sag = 0.3f;
+    /// A finite vector that is not 0, default (0, -1, 0). Direction of gravity, of any length above 0.
     glm::vec3 down{0.0f, -1.0f, 0.0f};
-    /// Default: a bundle of hairs that a light wind moves, 15 degrees at 3 m/s.
+    /// Strand of the bent form; its length is that of the layers.
     Drag strand{.length = 0.03f, .width = 2e-4f, .rigidity = 2.6e-8f, .drag_coefficient = 1.5f};
 
     static constexpr auto settings() {

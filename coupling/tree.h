@@ -22,8 +22,11 @@ namespace windrow {
 
 /// Classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h has the sources of the figures.
 struct TreeClasses {
+    /// The trunk.
     Drag trunk = small_trunk();
+    /// Each branch.
     Drag branch = windrow::branch();
+    /// Each leaf.
     Drag leaf = windrow::leaf();
 
     static constexpr auto settings() {
@@ -43,9 +46,15 @@ static_assert(sizeof(TreeBlock) == 48);
 
 /// A straight part of a tree at rest, relative to the trunk's base. The default is no part, here and in lists alike.
 struct TreePart {
+    /// [m] Each component -1e6 to 1e6, default (0, 0, 0). Point at which it is held: on its bearer's axis, or beside it on the
+    /// bark.
     glm::vec3 root{0.0f};
+    /// A length of 0.999 to 1.001, default (0, 1, 0). Unit vector along it.
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
+    /// [m] 1e-4 to 200, default 1. The class's stiffness does not depend on it: a short part needs a higher `stiffness`.
     float length = 1.0f;
+    /// 1e-6 to 1e6, default 0. Factor on the class's stiffness: 1 is the class's own. 0, outside of the range, is for a part that
+    /// does not exist.
     float stiffness = 0.0f;
 
     static constexpr auto settings() {

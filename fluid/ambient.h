@@ -30,7 +30,10 @@ namespace windrow {
 
 /// Wind over open ground: log((z + z0) / z0), 0 at the ground and below, the mean wind at the reference height, more above.
 struct LogProfile {
+    /// [m] 1e-6 to 100, default 0.03. z0: about a tenth of the height of what is on the ground. 0.0002 water, 0.03 short grass, 1
+    /// wood.
     float roughness_length = 0.03f;
+    /// [m] 0.01 to 10000, default 10. Height at which the wind is the mean. 10 is where weather services measure.
     float reference_height = 10.0f;
 
     static constexpr auto settings() {
@@ -46,10 +49,15 @@ struct LogProfile {
 /// Gusts: a frozen pattern that the mean wind carries along. Over a profile they fade to 0 at the ground with the mean and do not
 /// grow above the reference height.
 struct Gusts {
+    /// 0 (none) to 1, default 0. Standard deviation of each horizontal component over the mean horizontal speed. 0 costs nothing,
+    /// 0.15 is open country, 0.3 a gusty day.
     float intensity = 0.0f;
+    /// [m] 0.01 to 1e6, default 24. Distance from one gust to the next. A texel is a twelfth of it, the pattern repeats after 128
+    /// texels; 24 makes texels of 2 m, which cells of 1 m resolve, and 256 m until it repeats.
     float length = 24.0f;
+    /// 0 to 4294967295, default 1. Seed of the pattern.
     std::uint32_t seed = 1;
-    /// The pattern itself, for many winds to use one (4 MiB each). Default empty: made from `seed` if intensity is above 0.
+    /// The pattern itself, for many winds to use one; null: made from the seed.
     std::shared_ptr<const GustTile> tile{};
 
     static constexpr auto settings() {
@@ -71,9 +79,15 @@ struct Gusts {
 
 /// Conversion of the wind, from the fluid or from here, to the wind that acts on a plant.
 struct Sampling {
+    /// 0 to 1000, default 1. Factor on the wind; 0: no wind acts.
     float strength = 1.0f;
+    /// [m/s] 0 to 1e6, default 60. Upper bound of the speed, after the strength. 60 is the strongest storm.
     float limit = 60.0f;
+    /// 0 (none) to 1, default 0. Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a
+    /// tile (AmbientWind::tile): without gusts, give Gusts::tile.
     float detail = 0.0f;
+    /// [m] 0.001 to 1e6, default 1. Distance from one ripple to the next, rounded so that a whole number of ripples fits a gust
+    /// (at most its length): then one phase moves both. 1 is what cells of 1 m leave out.
     float detail_length = 1.0f;
 
     static constexpr auto settings() {
@@ -137,9 +151,14 @@ struct WINDROW_API UniformGust {
 class WINDROW_API AmbientWind {
   public:
     struct Settings {
+        /// [m/s] Each component -10000 to 10000, default (0, 0, 0). Mean wind, at the reference height if there is a profile. 0
+        /// is still air, which has no gusts either.
         glm::vec3 mean{0.0f};
+        /// Default none: the same wind at all heights.
         std::optional<LogProfile> profile{};
+        /// Default none.
         Gusts gusts{};
+        /// [m] -1e12 to 1e12, default 0. World height of the ground: where the profile begins and gusts are mirrored.
         double ground = 0.0;
 
         static constexpr auto settings() {

@@ -28,7 +28,11 @@ inline constexpr std::array<const char*, 4> k_words<BoundaryKind>{"open", "free_
 
 /// Boundary condition of one face of the box.
 struct Boundary {
+    /// Default open. open: the ambient wind is beyond. free_slip: a wall without friction. no_slip: a wall that drags the air.
+    /// periodic: the opposite face is beyond.
     BoundaryKind kind = BoundaryKind::open;
+    /// [m/s] Each component -10000 to 10000, default (0, 0, 0). Velocity of a no-slip wall, in its own plane; 0 on every other
+    /// kind. May change in every step.
     glm::vec3 wall_velocity{0.0f};
 
     static constexpr auto settings() {
@@ -48,7 +52,18 @@ struct Boundary {
 /// The six boundaries in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in
 /// pairs.
 struct WINDROW_API Boundaries {
-    Boundary x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
+    /// At the low end of x.
+    Boundary x_low{};
+    /// At its high end.
+    Boundary x_high{};
+    /// Below: the floor.
+    Boundary y_low{};
+    /// Above.
+    Boundary y_high{};
+    /// At the low end of z.
+    Boundary z_low{};
+    /// At its high end.
+    Boundary z_high{};
 
     static constexpr auto settings() {
         return std::tuple{

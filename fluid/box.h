@@ -22,13 +22,18 @@ inline constexpr int k_max_axis_cells = 2048;
 /// Largest number of cells of a box (about 7 GB of state and scratch).
 inline constexpr std::size_t k_max_cells = std::size_t{1} << 26;
 
+/// The cells of a wind, without their place in the world.
 struct Box {
     static constexpr Range k_cells_range{1.0, k_max_axis_cells, "cells"};
     static constexpr Range k_cell_size_range{1e-6, 1e6, "m"};
 
+    /// [cells] Each component 1 to 2048, default (32, 16, 32). Cells along x, y, z; odd sizes too. Wind is mostly horizontal.
     glm::ivec3 cells{32, 16, 32};
+    /// [m] 1e-6 to 1e6, default 1. Edge of a cell.
     float cell_size = 1.0f;
+    /// Boundary conditions of the six faces.
     Boundaries boundaries{};
+    /// Heights of rows of unequal thickness; null: all are cell_size thick.
     std::shared_ptr<const RowTable> rows{};
 
     static constexpr auto settings() {

@@ -15,7 +15,12 @@ namespace windrow {
 /// A field of plants on the ground, of uniform height and density. The ground is that of the wind profile: the box's floor, or
 /// height 0 without one. Within it du/dt = -drag |u| u. Costs one pass over the rows of cells that it reaches.
 struct Canopy {
+    /// [m] 0 (none) to 1000, default 0.8. Height of the plants; 0.8 is ripe wheat. A cell that it fills in part is slowed by that
+    /// fraction.
     float height = 0.8f;
+    /// [1/m] 0 (none) to 1000, default 0.6. Drag coefficient, 0.15 to 0.3, times leaf area in a volume of air: wheat 0.6 (0.2
+    /// times leaves of 2.4 times the area of its ground), short grass 2 to 5, a forest 0.03 to 0.1. Based on: Shaw & Schumann
+    /// 1992, Boundary-Layer Meteorology 61 (0.15).
     float drag = 0.6f;
 
     static constexpr auto settings() {

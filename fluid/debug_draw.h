@@ -22,15 +22,25 @@
 
 namespace windrow {
 
+/// What `debug_draw` draws.
 struct DebugDraw {
+    /// Default true. Edges of the box of cells; dim while the air sleeps.
     bool box = true;
+    /// Default false. Edges of the air that is sampled without the ambient wind.
     bool blend_zone = false;
+    /// Default true. Forms and directions of the motors.
     bool motors = true;
+    /// Default true. Edges of the obstacles; of meshes and grids their box.
     bool obstacles = true;
+    /// Default false. Force of the air on each obstacle in the box, 1 m for 50 N.
     bool loads = false;
+    /// Default false. Velocity on a level lattice.
     bool arrows = false;
+    /// [m] -1e6 to 1e6, default 1. Of the arrows above the box's low face.
     float height = 1.0f;
+    /// [m] 0 (24 arrows along the longer side) to 1e6, default 0. Between arrows.
     float spacing = 0.0f;
+    /// [m/s] A number above 0, at most 10000, default 10. At which an arrow is as long as the spacing.
     float speed = 10.0f;
 
     static constexpr auto settings() {

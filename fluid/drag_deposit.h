@@ -22,10 +22,18 @@ namespace windrow {
 struct PlantDrag {
     static constexpr const char* k_name = "plant";
     static constexpr const char* k_meaning = "A plant: a bush, the crown of a tree, a net.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Its foot.
     glm::dvec3 position{0.0};
+    /// [m] A number above 0, at most 10000, default 1. Half of its width along x and z. Below one cell its drag is spread over
+    /// two cells.
     float radius = 1.0f;
+    /// [m] 0 to 10000, default 0. Height of its lowest leaves over its foot, below `height`: 0 for a bush, the bare stem of a
+    /// tree.
     float base = 0.0f;
+    /// [m] A number above 0, at most 10000, default 2. Height of its top over its foot.
     float height = 2.0f;
+    /// [m^2] 0 (none) to 1e6, default 2. Drag area: drag coefficient times frontal area, of all leaves and twigs together. The
+    /// default is half of the default's front of 4 m^2.
     float area = 2.0f;
 
     static constexpr auto settings() {
@@ -48,10 +56,18 @@ struct PlantDrag {
 struct BeltDrag {
     static constexpr const char* k_name = "belt";
     static constexpr const char* k_meaning = "A strip: a hedge, a row of trees, a fence.";
+    /// [m] Each component -1e12 to 1e12, default (-5, 0, 0). Its foot at one end.
     glm::dvec3 start{-5.0, 0.0, 0.0};
+    /// [m] Each component -1e12 to 1e12, default (5, 0, 0). Its foot at the other end, 1 mm to 1e4 m away along x and z. Between
+    /// them the foot rises evenly.
     glm::dvec3 end{5.0, 0.0, 0.0};
+    /// [m] A number above 0, at most 10000, default 2. Thickness, across its length. Below two cells its drag is spread over two
+    /// cells.
     float width = 2.0f;
+    /// [m] A number above 0, at most 10000, default 2. Height over its foot.
     float height = 2.0f;
+    /// 0 (none) to 10000, default 2. Sum of c across its thickness, half of the pressure loss coefficient of a screen: 2 is a
+    /// fence that is half open (Wilson 1985).
     float resistance = 2.0f;
 
     static constexpr auto settings() {

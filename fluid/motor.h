@@ -28,6 +28,7 @@ namespace windrow {
 struct Sphere {
     static constexpr const char* k_name = "sphere";
     static constexpr const char* k_meaning = "A ball.";
+    /// [m] A number above 0, at most 1e6, default 2. Radius.
     float radius = 2.0f;
 
     static constexpr auto settings() { return std::tuple{Setting("radius", &Sphere::radius, k_size_range, "Radius.")}; }
@@ -37,7 +38,9 @@ struct Sphere {
 struct Capsule {
     static constexpr const char* k_name = "capsule";
     static constexpr const char* k_meaning = "A ball drawn out along a segment.";
+    /// [m] A length of 0 to 1e6, default (2, 0, 0). From the centre to the middle of an end; 0 makes a sphere.
     glm::vec3 half_axis{2.0f, 0.0f, 0.0f};
+    /// [m] A number above 0, at most 1e6, default 1. Radius.
     float radius = 1.0f;
 
     static constexpr auto settings() {
@@ -53,6 +56,7 @@ struct Capsule {
 struct AlignedBox {
     static constexpr const char* k_name = "box";
     static constexpr const char* k_meaning = "A box along the axes.";
+    /// [m] Each component a number above 0, at most 1e6, default (2, 2, 2). From the centre to the faces.
     glm::vec3 half_size{2.0f};
 
     static constexpr auto settings() {
@@ -65,8 +69,11 @@ struct AlignedBox {
 struct Cone {
     static constexpr const char* k_name = "cone";
     static constexpr const char* k_meaning = "A cone or cylinder that begins at the motor's position.";
+    /// [m] A length of 1e-6 to 1e6, default (6, 0, 0). From the motor's position to the other end.
     glm::vec3 axis{6.0f, 0.0f, 0.0f};
+    /// [m] A number above 0, at most 1e6, default 0.5. Radius at the motor's position.
     float start_radius = 0.5f;
+    /// [m] A number above 0, at most 1e6, default 2. Radius at the other end.
     float end_radius = 2.0f;
 
     static constexpr auto settings() {
@@ -86,6 +93,7 @@ using Region = std::variant<Sphere, Capsule, AlignedBox, Cone>;
 struct Force {
     static constexpr const char* k_name = "force";
     static constexpr const char* k_meaning = "A constant acceleration.";
+    /// [m/s^2] -1e6 to 1e6, default 10. Acceleration along the motor's direction.
     float acceleration = 10.0f;
 
     static constexpr auto settings() {
@@ -98,7 +106,9 @@ struct Force {
 struct Drive {
     static constexpr const char* k_name = "drive";
     static constexpr const char* k_meaning = "Pulls the air toward a speed.";
+    /// [m/s] -10000 to 10000, default 8. Target speed along the motor's direction.
     float speed = 8.0f;
+    /// [1/s] 0 to 1e6, default 4. How fast: 63 % of the way in 1/rate seconds where w = 1.
     float rate = 4.0f;
 
     static constexpr auto settings() {
@@ -114,6 +124,7 @@ struct Drive {
 struct WakeForce {
     static constexpr const char* k_name = "force";
     static constexpr const char* k_meaning = "Pushes: the same impulse for each metre that the body passes.";
+    /// [1/s] 0 to 10000, default 1. Speed that each metre of the path adds where w = 1.
     float strength = 1.0f;
 
     static constexpr auto settings() {
@@ -127,7 +138,9 @@ struct WakeForce {
 struct WakeDrive {
     static constexpr const char* k_name = "drive";
     static constexpr const char* k_meaning = "Drags: pulls the air toward a fraction of the body's velocity.";
+    /// [1/m] 0 to 10000, default 0.5. How fast: 63 % of the way when the body has passed 1/per_metre metres where w = 1.
     float per_metre = 0.5f;
+    /// 0 to 2, default 1. Fraction of the body's velocity that the air is pulled toward.
     float entrainment = 1.0f;
 
     static constexpr auto settings() {
@@ -147,9 +160,14 @@ struct WakeDrive {
 /// removed by itself and its handle is stale.
 struct WINDROW_API Envelope {
     static constexpr Range k_time_range{0.0, 1e9, "s"};
+    /// [s] 0 to 1e9, default 0. Time in which it rises.
     float attack = 0.0f;
+    /// [s] At least 0, default infinity. Time at full strength. Default infinity: until the motor is removed.
     float hold = std::numeric_limits<float>::infinity();
+    /// [s] 0 to 1e9, default 0. Time in which it falls, after the hold.
     float decay = 0.0f;
+    /// [s] 0 to 1e9, default 0. Time before it begins to rise, in which the motor rests: gusts that are added together come one
+    /// by one.
     float delay = 0.0f;
 
     static constexpr auto settings() {
@@ -186,8 +204,13 @@ WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& 
 /// what leaves a jet of 5 cells a radius has the intensity asked for. For a force, U is the speed that it gives air over a
 /// radius. A body's wake takes eddies that rest in the world, without w.
 struct Turbulence {
+    /// 0 (none) to 1, default 0.05. Standard deviation over U of a horizontal component of what leaves the region. At 0.05 jets
+    /// spread as measured ones do. 0 costs nothing.
     float intensity = 0.05f;
+    /// [m] 0 (two radii) to 1e6, default 0. Size of the largest eddies; most are a third of that. 0: two radii of the region (of
+    /// a box, two of its smallest half sizes).
     float length = 0.0f;
+    /// 0 to 4294967295, default 0. Selects a part of the pattern: motors of the same kind, age and seed have the same eddies.
     std::uint32_t seed = 0;
 
     static constexpr auto settings() {
@@ -212,11 +235,17 @@ struct Turbulence {
 struct DirectionalMotor {
     static constexpr const char* k_name = "directional";
     static constexpr const char* k_meaning = "A fan, a gust, a draught: pushes along one direction within a region.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Centre of the region; first end of a cone.
     glm::dvec3 position{0.0};
+    /// A finite vector that is not 0, default (1, 0, 0). Any length; normalised on creation.
     glm::vec3 direction{1.0f, 0.0f, 0.0f};
+    /// Region in which it acts: fully in the middle, falling smoothly to 0 at the edge.
     Region region = Sphere{};
+    /// Law of its action on the air.
     std::variant<Force, Drive> law = Drive{};
+    /// Strength over time.
     Envelope envelope{};
+    /// Eddies in what it blows.
     Turbulence turbulence{};
 
     static constexpr auto settings() {
@@ -237,10 +266,15 @@ struct DirectionalMotor {
 struct WakeMotor {
     static constexpr const char* k_name = "wake";
     static constexpr const char* k_meaning = "A moving body: acts only while it moves, along its path.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Start of the path.
     glm::dvec3 position{0.0};
+    /// [m] A number above 0, at most 1e6, default 0.5. Radius of the body.
     float radius = 0.5f;
+    /// Law of its action on the air.
     std::variant<WakeForce, WakeDrive> law = WakeDrive{};
+    /// Strength over time.
     Envelope envelope{};
+    /// Eddies in the wake. Default none: a wake makes its own.
     Turbulence turbulence{.intensity = 0.0f};
 
     static constexpr auto settings() {
@@ -259,13 +293,21 @@ struct WakeMotor {
 struct JetMotor {
     static constexpr const char* k_name = "jet";
     static constexpr const char* k_meaning = "A nozzle: blows along a cone or cylinder.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). The nozzle.
     glm::dvec3 position{0.0};
+    /// A finite vector that is not 0, default (1, 0, 0). Any length; normalised on creation.
     glm::vec3 direction{1.0f, 0.0f, 0.0f};
+    /// [m] A number above 0, at most 1e6, default 6. Length over which it pushes. The air carries the jet on beyond it.
     float length = 6.0f;
+    /// [m] A number above 0, at most 1e6, default 0.5. Radius at the nozzle.
     float start_radius = 0.5f;
+    /// [m] A number above 0, at most 1e6, default 1.5. Radius at the end; equal to start_radius: a cylinder.
     float end_radius = 1.5f;
+    /// Law of its action on the air, at the nozzle.
     std::variant<Force, Drive> law = Drive{.speed = 12.0f, .rate = 8.0f};
+    /// Strength over time.
     Envelope envelope{};
+    /// Eddies in the jet: they make it roll up and spread.
     Turbulence turbulence{};
 
     static constexpr auto settings() {
@@ -288,12 +330,19 @@ struct JetMotor {
 struct VortexMotor {
     static constexpr const char* k_name = "vortex";
     static constexpr const char* k_meaning = "Turns the air right-handed about an axis.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). The middle.
     glm::dvec3 position{0.0};
+    /// A finite vector that is not 0, default (0, 1, 0). Any length; normalised on creation.
     glm::vec3 axis{0.0f, 1.0f, 0.0f};
+    /// [m] A number above 0, at most 1e6, default 4. Distance from the axis beyond which nothing acts.
     float radius = 4.0f;
+    /// [m] A number above 0, at most 1e6, default 4. Along the axis, from the middle to each end.
     float half_length = 4.0f;
+    /// -10 to 10, default 0. Speed along the axis in the middle over the swirl. A dust devil has about 0.5.
     float lift = 0.0f;
+    /// Law of its action on the air, where it is fastest.
     std::variant<Force, Drive> law = Drive{.speed = 8.0f, .rate = 8.0f};
+    /// Strength over time.
     Envelope envelope{};
 
     static constexpr auto settings() {
@@ -317,9 +366,13 @@ struct VortexMotor {
 struct OmniMotor {
     static constexpr const char* k_name = "omni";
     static constexpr const char* k_meaning = "Air that comes out of a ball or vanishes in it.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Centre of the ball.
     glm::dvec3 position{0.0};
+    /// [m] A number above 0, at most 1e6, default 2. Radius of the ball.
     float radius = 2.0f;
+    /// [m/s] -10000 to 10000, default 5. Outward speed at the radius; negative draws in.
     float speed = 5.0f;
+    /// Strength over time.
     Envelope envelope{};
 
     static constexpr auto settings() {
@@ -338,9 +391,13 @@ struct OmniMotor {
 struct WINDROW_API PressureMotor {
     static constexpr const char* k_name = "pressure";
     static constexpr const char* k_meaning = "A burst: air is thrown out, then drawn back.";
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Centre of the ball.
     glm::dvec3 position{0.0};
+    /// [m] A number above 0, at most 1e6, default 2. Radius of the ball.
     float radius = 2.0f;
+    /// [m/s] -10000 to 10000, default 20. Outward speed at the radius in the first moment; negative: an implosion.
     float speed = 20.0f;
+    /// [s] A number above 0, at most 1e9, default 0.2. T: duration of the outflow before the inflow.
     float duration = 0.2f;
 
     static constexpr auto settings() {

@@ -29,6 +29,7 @@ namespace windrow {
 struct Block {
     static constexpr const char* k_name = "block";
     static constexpr const char* k_meaning = "A box with its own axes: a house, a wall.";
+    /// [m] Each component a number above 0, at most 1e6, default (1, 1, 1). From the centre to the faces, along its own axes.
     glm::vec3 half_size{1.0f};
 
     static constexpr auto settings() {
@@ -41,7 +42,9 @@ struct Block {
 struct Cylinder {
     static constexpr const char* k_name = "cylinder";
     static constexpr const char* k_meaning = "A cylinder along its own y axis: a trunk, a tower.";
+    /// [m] A number above 0, at most 1e6, default 1. Radius.
     float radius = 1.0f;
+    /// [m] A number above 0, at most 1e6, default 1. From the centre to each end.
     float half_length = 1.0f;
 
     static constexpr auto settings() {
@@ -56,6 +59,8 @@ struct Cylinder {
 struct Plate {
     static constexpr const char* k_name = "plate";
     static constexpr const char* k_meaning = "A rectangle without thickness, across its own z axis: a fence, a sail, a door.";
+    /// [m] Each component a number above 0, at most 1e6, default (1, 1). From the centre to the edges, along its own x and y
+    /// axes.
     glm::vec2 half_size{1.0f};
 
     static constexpr auto settings() {
@@ -70,6 +75,7 @@ struct MeshShape {
     static constexpr const char* k_name = "mesh";
     static constexpr const char* k_meaning = "A closed mesh of triangles: a house, a statue, a vehicle.";
     std::shared_ptr<const TriangleMesh> mesh{}; ///< null is rejected
+    /// 1e-6 to 1e6, default 1. Factor on its size.
     float scale = 1.0f;
 
     static constexpr auto settings() {
@@ -86,7 +92,8 @@ struct VoxelShape {
     static constexpr const char* k_name = "voxels";
     static constexpr const char* k_meaning = "Closed cells of a grid: a building of a voxel game.";
     std::shared_ptr<const VoxelGrid> grid{}; ///< null is rejected
-    float cell_size = 1.0f;                  ///< [m]
+    /// [m] 1e-6 to 1e6, default 1. Edge of a voxel.
+    float cell_size = 1.0f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -119,7 +126,11 @@ struct Ground {
     static constexpr const char* k_name = "ground";
     static constexpr const char* k_meaning = "All below a height map: hills, a valley, a dam.";
     std::shared_ptr<const HeightMap> heights{}; ///< null is rejected
+    /// Each component 0.001 to 100000, default (1, 1, 1). Factor on its size along x, y and z: the metres of a pixel, and the
+    /// metres of white over black.
     glm::vec3 scale{1.0f};
+    /// Default edge. What is beyond the edge of its heights. edge: they go on as on it. nothing: it ends there; such grounds,
+    /// upright and at rest, are the tiles of one surface, whose higher one counts where two meet.
     Beyond beyond = Beyond::edge;
 
     static constexpr auto settings() {
@@ -155,10 +166,16 @@ enum class Surface : std::uint8_t {
 template <>
 inline constexpr std::array<const char*, 2> k_words<Surface>{"free_slip", "no_slip"};
 
+/// A body that the air flows around, at rest or moved by its host.
 struct Obstacle {
-    glm::dvec3 position{0.0};          ///< [m] of the shape's centre; of a mesh's own origin
-    glm::quat orientation{1, 0, 0, 0}; ///< from the shape's own axes to the world's; normalised on creation
+    /// [m] Each component -1e12 to 1e12, default (0, 0, 0). Centre of the shape; the origin of a mesh.
+    glm::dvec3 position{0.0};
+    /// A finite vector that is not 0. From the shape's own axes to the world's. Default: not turned.
+    glm::quat orientation{1, 0, 0, 0};
+    /// Its form and size.
     Shape shape = Block{};
+    /// Default free_slip. free_slip: the air slides along it. At 1 m cells the layer that a wall slows is thinner than a cell.
+    /// no_slip: the air sticks to it, through the viscosity.
     Surface surface = Surface::free_slip;
 
     static constexpr auto settings() {

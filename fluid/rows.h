@@ -22,10 +22,20 @@ namespace windrow {
 
 /// Heights of the rows of a box, by a law or one by one.
 struct Rows {
+    /// [m] A number above 0, at most 1e6, default 0.5. Thickness of the lowest rows. The lowest cell's centre is at half of it:
+    /// .3 m resolves a log profile among grass.
     float first = 0.5f;
+    /// 1 to 2048, default 4. How many rows are that thick. Over hills as many as reach the highest ground, so that all ground is
+    /// met by cells of one size.
     int uniform = 4;
+    /// 1 to 1.5, default 1.1. Distance between two rows above these over the distance below. Up to 1.15 the error stays that of
+    /// equal rows of the mean thickness.
     float ratio = 1.1f;
+    /// [m] 0 (by the ratio) to 1e6, default 0. Height of the box. The ratio follows from it. With heights: where the box ends
+    /// above the last one.
     float top = 0.0f;
+    /// [m] Each component a number above 0, at most 1e6. Heights of the rows' centres over the floor of the box, one a row, in
+    /// place of the law. A distance between two is at most twice the distance beside it. Default none.
     std::vector<float> heights{};
 
     static constexpr auto settings() {

@@ -8,7 +8,7 @@ import textwrap
 import mirrors
 
 # Structs of C without a mark in the headers, and those of the marks that the package has no use for yet.
-BESIDE = {"windrow_roughness_map": "RoughnessMap", "windrow_advance": None, "windrow_box": "Box", "windrow_obstacle_force": None,
+BESIDE = {"windrow_roughness_map": "RoughnessMap", "windrow_advance": None, "windrow_box": None, "windrow_obstacle_force": None,
           "windrow_drag_force": None}
 LEFT_OUT = {"windrow_tree_classes", "windrow_tree_part", "windrow_flutter_class", "windrow_cascade_config", "windrow_ground_config",
             "windrow_ambient_settings"}

@@ -1,5 +1,6 @@
 // The tables of settings and figures as JSON, from which tools/make_bindings.py makes the C interface and its mirrors: of each struct
-// the rows with type, unit, range, default and meaning; of each choice the words. Needs no header of c_api, which is made from it.
+// the rows with type, unit, range, default and meaning; of each choice the words. tools/field_comments.py writes the comments of the
+// fields of C++ from it. Needs no header of c_api, which is made from it.
 #include "coupling/blade.h"
 #include "coupling/cascade.h"
 #include "coupling/ground_config.h"
@@ -7,6 +8,7 @@
 #include "coupling/spring.h"
 #include "coupling/tree.h"
 #include "fluid/config.h"
+#include "fluid/debug_draw.h"
 #include "fluid/diagnostics.h"
 #include "fluid/motor.h"
 #include "fluid/obstacle.h"
@@ -107,7 +109,7 @@ class Tables {
             item["unit"] = range.unit;
         range.unit = "";
         if (std::isfinite(range.min) || std::isfinite(range.max))
-            item["range"] = range.measure == Measure::component && std::is_arithmetic_v<Value>
+            item["range"] = range.measure == Measure::component && (std::is_arithmetic_v<Value> || detail::k_is_optional<Value>)
                                 ? detail::message(detail::Bounds{range})
                                 : detail::message(detail::VectorBounds{range});
         if constexpr (!k_setting) { // a figure has no default
@@ -150,6 +152,9 @@ TEST(Tables, AreThoseThatBindingsAreMadeFrom) {
     tables.add<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor, Obstacle, PlantDrag, BeltDrag>();
     tables
         .add<Drag, BladeSettings, ShellSettings, TreeClasses, TreePart, SpringClass, FlutterClass, CascadeConfig, GroundConfig>();
+    // C has their fields in other forms; tools/field_comments.py writes those of C++.
+    tables.add<Box, DebugDraw, Sphere, Capsule, AlignedBox, Cone, Force, Drive, WakeForce, WakeDrive>();
+    tables.add<Block, Cylinder, Plate, MeshShape, VoxelShape, Ground>();
     tables.add_choice("Region", k_alternatives<Region>);
     tables.add_choice("Law", k_alternatives<std::variant<Force, Drive>>);
     tables.add_choice("Motor", k_alternatives<Motor>);
