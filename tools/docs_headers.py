@@ -26,7 +26,7 @@ def without_word_links(text):
     """A word such as Wind begins a sentence more often than it names the class; Wind::step and WindView are links."""
     def mark(found):
         parts = re.split(r"(`[^`]*`)", found[0])
-        return "".join(part if n % 2 else re.sub(r"(?<![\w:%.<>*])[A-Z][a-z]+(?![\w:<(])", r"%\g<0>", part) for n, part in enumerate(parts))
+        return "".join(part if n % 2 else re.sub(r"(?<![\w:%.<>*])[A-Z][a-z]+(?![\w<(]|::)", r"%\g<0>", part) for n, part in enumerate(parts))
     return re.sub(r"///<? (?!    ).*", mark, text)
 
 

@@ -183,13 +183,16 @@ def reference(xml):
             name = whole.find("location").get("file")
             pages[name.removeprefix("windrow/")] = page
         said = " ".join((words(whole.find("briefdescription")), words(whole.find("detaileddescription"))))
-        entries.append({"location": f"api/{page}", "title": name, "text": said})
+        # The search shows the first place of a page as the page itself.
+        entries += [{"location": f"api/{page}", "title": name, "text": ""}, {"location": f"api/{page}#top", "title": name, "text": said}]
         for member in whole.iter("memberdef"):
             at, _, anchor = member.get("id").rpartition("_1")
             if member.get("prot") == "public" and f"{at}.html" == page:
-                said = " ".join((words(member.find("type")), words(member.find("name")) + words(member.find("argsstring")) + ".",
+                own = words(member.find("name"))
+                said = " ".join((words(member.find("type")), own + words(member.find("argsstring")) + ".",
                                  words(member.find("briefdescription")), words(member.find("detaileddescription"))))
-                entries.append({"location": f"api/{page}#{anchor}", "title": words(member.find("name")), "text": said})
+                # A class's own names, such as profile, are not ahead of headings that explain them.
+                entries.append({"location": f"api/{page}#{anchor}", "title": own if kind == "file" else f"{name.split('::')[-1]}::{own}", "text": said})
     return pages, entries
 
 
