@@ -46,6 +46,7 @@ def cpp(text, name):
     head = HEAD.match(text)
     marked = re.sub(r"^// ?", "/// ", head[0], flags=re.MULTILINE).replace("/// ", f"/// \\file {name}\n/// ", 1)
     text = re.sub(r'^ *#include ".*\.glsl"$', "", text[head.end():], flags=re.MULTILINE)   # formulas of shaders, not for users
+    text = re.sub(r"^ *static constexpr const char\* k_(?:name|meaning) = .*;$", "", text, flags=re.MULTILINE)   # of scene files
     text = re.sub(r"^ *friend .*$", "", text, flags=re.MULTILINE)   # doxygen links friends without a comment, and writes none
     return without_tables(without_word_links(marked + text))
 

@@ -182,17 +182,19 @@ def reference(xml):
         if kind == "file":
             name = whole.find("location").get("file")
             pages[name.removeprefix("windrow/")] = page
-        said = " ".join((words(whole.find("briefdescription")), words(whole.find("detaileddescription"))))
-        # The search shows the first place of a page as the page itself.
-        entries += [{"location": f"api/{page}", "title": name, "text": ""}, {"location": f"api/{page}#top", "title": name, "text": said}]
+        short = name.removeprefix("windrow::")
+        said = [" ".join((words(whole.find("briefdescription")), words(whole.find("detaileddescription"))))]
+        places = [{"location": f"api/{page}#top", "title": short, "text": said[0]}]
         for member in whole.iter("memberdef"):
             at, _, anchor = member.get("id").rpartition("_1")
             if member.get("prot") == "public" and f"{at}.html" == page:
                 own = words(member.find("name"))
-                said = " ".join((words(member.find("type")), own + words(member.find("argsstring")) + ".",
-                                 words(member.find("briefdescription")), words(member.find("detaileddescription"))))
+                said.append(" ".join((words(member.find("type")), own + words(member.find("argsstring")) + ".",
+                                      words(member.find("briefdescription")), words(member.find("detaileddescription")))))
                 # A class's own names, such as profile, are not ahead of headings that explain them.
-                entries.append({"location": f"api/{page}#{anchor}", "title": own if kind == "file" else f"{name.split('::')[-1]}::{own}", "text": said})
+                places.append({"location": f"api/{page}#{anchor}", "title": own if kind == "file" else f"{short}::{own}", "text": said[-1]})
+        # The search finds a place where it finds the page too, and shows the first place as the page.
+        entries += [{"location": f"api/{page}", "title": short, "text": " ".join(said)}, *places]
     return pages, entries
 
 

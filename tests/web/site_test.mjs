@@ -65,9 +65,11 @@ for (const [width, height] of [[1280, 900], [390, 844]]) {
     await context.close();
 }
 
-const {tab, context} = await read("docs/air.html", 1280, 900);
-claim((await search(tab, "windrow_wind_create", false)).some((hit) => hit.includes("/api/")), "the search finds a function of C by its name");
-await context.close();
+for (const name of ["windrow_wind_create", "Wind::step"]) {
+    const {tab, context} = await read("docs/air.html", 1280, 900);
+    claim((await search(tab, name, false)).slice(0, 2).some((hit) => hit.includes("/api/")), `the search finds ${name} in the reference first`);
+    await context.close();
+}
 
 if (!rest.includes("--without-playground")) {
     const {tab, faults} = await read("index.html", 1280, 900);

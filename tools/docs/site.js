@@ -30,6 +30,10 @@ if (location.protocol === "file:")
         }
     };
 
+// In a query a colon would end the name of a field: Wind::step is one word here.
+__search.transform = (words) =>
+    words.replace(/"|(?:^|\s+)[*+\-:^~]+(?=\s+|$)/g, " ").trim().replace(/:/g, "\\:");
+
 // The playground is some megabytes: it is loaded where a reader asks for it.
 document.addEventListener("click", (event) => {
     const button = event.target.closest(".play > a");
