@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_docs.py BUILD: a site of static files, BUILD/site, from README, docs/ and the installed headers. ./dev docs runs it.
+"""make_docs.py BUILD [--accept]: a site of static files, BUILD/site, from README, docs/ and the installed headers. ./dev docs runs it.
 
     BUILD/site/index.html  README, with the page of a meadow where BUILD/web/windrow.html is there (./dev web)
     BUILD/site/docs        the pages of docs/, in the order of README's table "What to read next" (docs_nav.py)
@@ -7,9 +7,11 @@
     BUILD/site/search      the index of both, as a script, because a page on a disk can fetch no file
 
 The site names no other server and opens from a disk. BUILD/docs has what mkdocs and doxygen read. The tool fails where doxygen or
-mkdocs warns, and where a link, an anchor, a picture or a script of the site leads nowhere (docs_links.py).
+mkdocs warns, and where a link, an anchor, a picture or a script of the site leads nowhere (docs_links.py). It also fails where a header
+has another number of declarations without a comment of their own than tools/docs/undocumented.txt says; --accept writes that file.
 """
 import argparse
+import collections
 import json
 import logging
 import os
@@ -29,7 +31,7 @@ LOOK = ROOT / "tools/docs"
 PICTURES = (".png", ".jpg", ".webp", ".svg")
 TEXTS = ("LICENSE", "NOTICE")
 PLAY = """
-<figure class="play" data-play="play/index.html" markdown="0"><img src="docs/web.jpg" alt="A meadow in the wind, with a fan and a stone">
+<figure class="play" data-play="play/index.html"><img src="docs/web.jpg" alt="A meadow in the wind, with a fan and a stone">
 <a class="md-button md-button--primary" href="play/index.html">Stroke the meadow</a>
 <figcaption>The library in this page, as WebAssembly: stroke the grass with a finger or the mouse.
 <a href="docs/web.html">What hands do.</a></figcaption></figure>
@@ -198,6 +200,35 @@ def reference(xml):
     return pages, entries
 
 
+def undocumented(xml):
+    """{header: its number of public functions and fields without a comment of their own}."""
+    found = {}   # by its id: a function of a namespace is on two pages
+    for path in sorted(xml.glob("*.xml")):
+        for member in ElementTree.parse(path).getroot().iter("memberdef"):
+            said = "".join(words(member.find(part)) for part in ("briefdescription", "detaileddescription", "inbodydescription"))
+            if member.get("prot") == "public" and member.get("kind") in ("function", "variable") and not said:
+                found[member.get("id")] = member.find("location").get("file").removeprefix("windrow/")
+    return collections.Counter(found.values())
+
+
+def other_counts(found, listed):
+    """A line for each header whose number is another one."""
+    return [f"{header}: {found.get(header, 0)} declarations have no comment, tools/docs/undocumented.txt has {listed.get(header, 0)}: "
+            f"{'comment the new ones' if found.get(header, 0) > listed.get(header, 0) else 'write the file again, with --accept'}"
+            for header in sorted({*found, *listed}) if found.get(header, 0) != listed.get(header, 0)]
+
+
+def check_undocumented(xml, accept):
+    file = LOOK / "undocumented.txt"
+    found = undocumented(xml)
+    if accept:
+        write(file, "".join(f"{header} {count}\n" for header, count in sorted(found.items())))
+    lines = file.read_text(encoding="utf-8").splitlines() if file.exists() else []
+    other = other_counts(found, {line.split()[0]: int(line.split()[1]) for line in lines})
+    if other:
+        raise Fault("comments are missing:\n" + "\n".join(other))
+
+
 def api_page(pages, sentences):
     """The first page of the reference: each installed header with its sentence."""
     text = "# Reference of C++ and C\n\nThe installed headers, as doxygen reads them. C++ programs include them as\n" \
@@ -226,7 +257,7 @@ def run_mkdocs(source, site):
     def slug(title, _):
         return next(iter(anchors(f"# {title}")))
 
-    extensions = ["tables", "md_in_html", {"toc": {"slugify": slug, "permalink": True, "toc_depth": 3}}, "pymdownx.superfences",
+    extensions = ["tables", {"toc": {"slugify": slug, "permalink": True, "toc_depth": 3}}, "pymdownx.superfences",
                   {"pymdownx.highlight": {"guess_lang": False}}]
     logging.basicConfig(format="%(levelname)s: %(message)s", level=logging.WARNING)
     try:
@@ -253,7 +284,9 @@ def write_index(site, entries):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build", type=pathlib.Path)
-    build = parser.parse_args().build.resolve()
+    parser.add_argument("--accept", action="store_true", help="write tools/docs/undocumented.txt")
+    options = parser.parse_args()
+    build = options.build.resolve()
     work, site = build / "docs", build / "site"
     source = work / "pages"
     shutil.rmtree(work, ignore_errors=True)
@@ -261,6 +294,7 @@ def main():
     try:
         sentences = docs_headers.write(ROOT, work / "headers")
         run_doxygen(work, source)
+        check_undocumented(work / "xml", options.accept)
         pages, entries = reference(work / "xml")
         stage(source, build, pages)
         write(source / "api.md", api_page(pages, sentences))

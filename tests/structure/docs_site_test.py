@@ -100,6 +100,21 @@ class Headers(unittest.TestCase):
         self.assertEqual(docs_headers.sentence("// Air: moves.\n// So.\n"), "Air.")
 
 
+class Undocumented(unittest.TestCase):
+    XML = """<doxygen><memberdef id="a" kind="function" prot="public"><name>a</name><location file="windrow/a.h"/></memberdef>
+        <memberdef kind="variable" prot="public"><briefdescription>Said.</briefdescription><location file="windrow/a.h"/></memberdef>
+        <memberdef kind="function" prot="private"><location file="windrow/a.h"/></memberdef></doxygen>"""
+
+    def test_public_declarations_without_a_comment_are_counted(self):
+        with folder({"a.xml": self.XML, "b.xml": self.XML}) as root:
+            self.assertEqual(make_docs.undocumented(pathlib.Path(root)), {"a.h": 1})
+
+    def test_more_and_fewer_than_listed_are_found(self):
+        self.assertEqual(make_docs.other_counts({"a.h": 1}, {"a.h": 1}), [])
+        self.assertRegex(make_docs.other_counts({"a.h": 2}, {"a.h": 1})[0], "comment the new ones")
+        self.assertRegex(make_docs.other_counts({"a.h": 1}, {"a.h": 1, "b.h": 1})[0], "b.h: 0 declarations .* --accept")
+
+
 class FieldComments(unittest.TestCase):
     TABLES = {"Air": [{"name": "speed", "meaning": "Mean.", "unit": "m/s", "range": "0 to 9", "default": 3}, {"name": "file", "meaning": "A file."}]}
     HEADER = ("struct Air {\n    /// [m/s] 0 to 9, default 3. Mean.\n    float speed = 3.0f;\n    Map map{}; ///< null: none\n\n"
