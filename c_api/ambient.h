@@ -85,9 +85,13 @@ WINDROW_C_API windrow_result windrow_ambient_wind_tile(const windrow_ambient_win
 /* A spatially uniform gust by a closed formula. */
 typedef struct windrow_uniform_gust {
     uint32_t struct_size;
-    float mean;      /* [m/s] */
-    float amplitude; /* [m/s] */
-    float period;    /* [s] */
+    /* [m/s] Mean over a period, exactly. Default 4: leaves move. */
+    float mean;
+    /* [m/s] Peak over the mean; the lull is 0.58 of it below. Default 2: never calm, never a storm. */
+    float amplitude;
+    /* [s] From peak to peak, above 0; otherwise the mean blows. Default 8: as trees sway. */
+    float period;
+    /* Multiplies the speed; normally of length 1. Default along x. */
     windrow_vec3 direction;
     uint32_t reserved; /* 0 */
 } windrow_uniform_gust;

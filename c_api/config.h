@@ -103,9 +103,13 @@ WINDROW_C_API windrow_result windrow_canopy_init(windrow_canopy* canopy, uint32_
 /* Roughness lengths by place. */
 typedef struct windrow_roughness_map {
     uint32_t struct_size;
-    uint32_t reserved;                 /* 0 */
-    const windrow_height_map* lengths; /* [m] */
-    windrow_dvec3 position;            /* [m] */
+    uint32_t reserved; /* 0 */
+    /* [m] Where a height map has heights; null is rejected. */
+    const windrow_height_map* lengths;
+    /* [m] Each component -1e12 to 1e12, default (0, 0, 0). World place of its first pixel; y does not count. */
+    windrow_dvec3 position;
+    /* Each component 1e-6 to 100000, default (1, 1, 1). Factor on its size along x and z, the metres of a pixel, and, y, on the
+       lengths. */
     windrow_vec3 scale;
     uint32_t reserved_2; /* 0 */
 } windrow_roughness_map;

@@ -21,12 +21,19 @@ enum { WINDROW_VDB_OPENVDB = 0, WINDROW_VDB_NANOVDB = 1 };
 WINDROW_C_API int32_t windrow_vdb_has_nanovdb(void);
 typedef struct windrow_vdb_options {
     uint32_t struct_size;
+    /* Grids of the velocity. Default WINDROW_VDB_ONE_VECTOR. */
     windrow_vdb_form form;
-    const char* name; /* of the grid; null: "vel" */
+    /* Name of the grid, without '/' and control characters. Null, the default: "vel". */
+    const char* name;
+    /* Bits of a value. Default WINDROW_VDB_FULL. WINDROW_VDB_HALF rejects winds above 65504 m/s. */
     windrow_vdb_precision precision;
+    /* Axis that points up in the file. Default WINDROW_VDB_UP_Y. */
     windrow_vdb_up up;
-    double time; /* [s] */
+    /* [s] Any finite time of the wind; stored as windrow_time. Default 0. */
+    double time;
+    /* Number of the frame, any; stored as windrow_frame. Default 0. */
     int32_t frame;
+    /* Default WINDROW_VDB_OPENVDB. WINDROW_VDB_NANOVDB is rejected where windrow_vdb_has_nanovdb returns 0. */
     windrow_vdb_format format;
 } windrow_vdb_options;
 WINDROW_C_API windrow_result windrow_vdb_options_init(windrow_vdb_options* options, uint32_t struct_size);

@@ -109,18 +109,22 @@ WINDROW_C_API int32_t windrow_vulkan_has_validation_layer(void);
 typedef void (*windrow_vulkan_message)(const char* text, void* user);
 typedef struct windrow_vulkan_device_settings {
     uint32_t struct_size;
-    int32_t device; /* index in the list; -1: the first hardware device, else the first */
+    int32_t device; /* index in the list; -1, the default: the first hardware device, else the first */
+    /* 1: core and synchronisation checks of the validation layer, rejected where it is absent. Default 0. */
     int32_t validation;
+    /* 1: and GPU-assisted ones. Default 0. */
     int32_t gpu_validation;
     uint32_t queue;         /* VkQueueFlags that the queue has; default VK_QUEUE_COMPUTE_BIT */
-    uint32_t queue_without; /* and has not */
-    int32_t compute_queue;  /* 1: a second queue for the wind */
+    uint32_t queue_without; /* and has not; default 0 */
+    int32_t compute_queue;  /* 1: a second queue for the wind; default 0 */
+    /* Number of `extensions`. Default 0. */
     uint32_t extension_count;
-    const char* const* extensions; /* of the device */
+    const char* const* extensions; /* of the device; one that it lacks is rejected */
     const void* wished;            /* VkPhysicalDeviceFeatures that are enabled where the device has them; null: none */
-    const void* next;              /* chained to VkDeviceCreateInfo */
+    const void* next;              /* chained to VkDeviceCreateInfo; null: none */
     windrow_vulkan_get_instance_proc_addr get_instance_proc_addr; /* null: the system's loader is opened */
     windrow_vulkan_message on_message;                            /* null: to the logger, as warnings */
+    /* Handed to `on_message`. */
     void* message_user;
     const char* const* instance_extensions; /* of the instance, such as those of a window's surface; null: none */
     uint32_t instance_extension_count;      /* default 0: a device that draws on no window needs none */

@@ -32,17 +32,28 @@ enum {
 };
 typedef struct windrow_vulkan_settings {
     uint32_t struct_size;
+    /* Bits of a component in the textures. Default halves. */
     windrow_texel texel;
+    /* Textures that each frame writes; others are not created. Default WINDROW_VULKAN_VECTORS: one fetch a sample. */
     windrow_vulkan_texture_set textures;
+    /* Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2. */
     int32_t frames_in_flight;
-    int32_t gusts;      /* 1: room for gusts that begin later */
-    int32_t timestamps; /* 1: times of each pass */
+    /* 1: room for gusts that begin later than the wind (16 bytes a cell). Default 0: only where the config has them. */
+    int32_t gusts;
+    /* 1: times each pass on the device. Default 0: it costs two timestamps a dispatch. */
+    int32_t timestamps;
+    /* What comes back to the host with each frame. Default WINDROW_VULKAN_READ_NONE. */
     windrow_vulkan_read_back queries;
+    /* [cells] Size of WINDROW_VULKAN_READ_BOX, at most the wind's box. Default (8, 8, 8): a body and its surroundings. */
     windrow_ivec3 read_cells;
+    /* Most points of a frame with WINDROW_VULKAN_READ_POINTS, 1 to 4096. Default 64. */
     int32_t read_points;
-    int32_t forces;           /* most obstacles whose forces come back */
-    uint32_t export_textures; /* VkExternalMemoryHandleTypeFlagBits; 0: none */
-    int32_t obstacles;        /* 1: makes the passes for obstacles on creation */
+    /* Most obstacles in the box whose forces come back with each frame, 0 to 16384. Default 0: none. */
+    int32_t forces;
+    /* VkExternalMemoryHandleTypeFlagBits that the textures' memory can be exported as. Default 0: none. */
+    uint32_t export_textures;
+    /* 1: makes the passes for obstacles on creation. Default 0: with the first obstacle in the box. */
+    int32_t obstacles;
 } windrow_vulkan_settings;
 WINDROW_C_API windrow_result windrow_vulkan_settings_init(windrow_vulkan_settings* settings, uint32_t struct_size);
 

@@ -126,6 +126,12 @@ def stage(source, build, headers):
             shutil.copy(path, target)
     for name in TEXTS:
         shutil.copy(ROOT / name, source / f"{name}.txt")
+    for package in ("mkdocs-material", "doxygen"):   # their scripts and styles are in the site
+        notice = pathlib.Path("/usr/share/doc", package, "copyright")
+        if notice.exists():
+            write(source / "assets" / f"{package}_copyright.txt", notice.read_text(encoding="utf-8"))
+        else:
+            print(f"make_docs.py: {notice} is not there: add the notice of {package} to the site before you publish it")
     for name in ("site.css", "site.js"):
         shutil.copy(LOOK / name, source / name)
 

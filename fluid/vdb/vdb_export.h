@@ -109,13 +109,17 @@ struct Options {
     /// Name of the grid, not empty, without '/' and control characters. Default "vel": Blender 3.4 takes velocity, vel and v for
     /// the velocity of a volume, Houdini's fluids call it vel.
     std::string name = "vel";
+    /// Grids of the velocity. Default one_vector.
     Form form = Form::one_vector;
+    /// Bits of a value. Default full. half rejects winds above 65504 m/s.
     Precision precision = Precision::full;
+    /// Axis that points up in the file. Default y.
     UpAxis up = UpAxis::y;
     /// [s] Time of the wind, finite; stored as windrow_time. Default 0.
     double time = 0.0;
     /// Number of the frame, any; stored as windrow_frame. Default 0.
     int frame = 0;
+    /// Default openvdb. nanovdb is rejected where has_nanovdb() is false.
     Format format = Format::openvdb;
 };
 

@@ -156,7 +156,7 @@ class RoughnessMap(Settings):
     _shared: ClassVar = {"lengths": HeightMap}
 
     lengths: HeightMap | None = None
-    """[m]"""
+    """[m] Where a height map has heights; None is rejected."""
     position: Vec3 = (0.0, 0.0, 0.0)
     """[m] Each component -1e12 to 1e12. World place of its first pixel; y does not count."""
     scale: Vec3 = (1.0, 1.0, 1.0)
