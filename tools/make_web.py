@@ -2,7 +2,8 @@
 """make_web.py BUILD: the page and the package of npm from bindings/web and the modules in BUILD/simd and BUILD/plain. ./dev web runs it.
 
     BUILD/page       index.html, app.js, worker.js, and of each form of the module what the first picture needs (windrow.lzma,
-                     windrow_plain.lzma) and the rest (..._rest.lzma): a folder of static files
+                     windrow_plain.lzma) and the rest (..._rest.lzma); scenery.js, trees and furred bodies, which a scene that has
+                     them fetches: a folder of static files
     BUILD/page/scenes  the scenes and the files that they name
     BUILD/windrow.html one file that opens from a mail, everything inlined
     BUILD/package    the package of npm
@@ -27,8 +28,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 WEB = ROOT / "bindings/web"
 PAGE = WEB / "page"
-APP = ("made.js", "gl.js", "solids.js", "overlays.js", "meadow.js", "hands.js", "panel.js", "graph.js", "link.js", "main.js")
-WORKER = ("../package/windrow.js", "made.js", "unpack.js", "parts.js", "air.js", "vortices.js", "worker.js")
+APP = ("made.js", "fetched.js", "gl.js", "solids.js", "overlays.js", "meadow.js", "hands.js", "panel.js", "graph.js", "link.js", "main.js")
+SCENERY = ("gl.js", "grow.js", "trees.js", "beast.js", "coats.js", "scenery.js")
+SCENERY_SHADERS = ("sway.frag", "wood.vert", "wood.frag", "leaf.vert", "leaf.frag", "strands.frag", "coat.vert", "coat.frag")
+WORKER = ("../package/windrow.js", "made.js", "unpack.js", "fetched.js", "parts.js", "air.js", "vortices.js", "worker.js")
 FORMS = {"simd": "windrow", "plain": "windrow_plain"}
 FEATURES = ("simd", "bulk-memory", "sign-ext", "mutable-globals", "nontrapping-float-to-int")
 FIRST_SCENE = ROOT / "examples/scenes/web/lawn.json"
@@ -63,6 +66,62 @@ def shader_texts(wanted=None):
     for name, path in wanted.items():
         take(path, name)
     return texts
+
+
+def page_shaders():
+    """The texts of the first load, and those that trees and furred bodies add."""
+    texts = shader_texts()
+    names = {path.name: path for path in (PAGE / "shaders").iterdir() if path.suffix in (".vert", ".frag")}
+    first = shader_texts({name: path for name, path in sorted(names.items()) if name not in SCENERY_SHADERS})
+    return first, {name: text for name, text in texts.items() if name not in first}
+
+
+def tree_kinds():
+    """The kinds of trees by name, from the tables of the renderer: settings' defaults, and what a kind changes."""
+    value = r"(?:[\w:]+)?\{[^{}]*\}|[-\w.:]+"
+
+    def read(text):
+        if "{" in text:
+            return [float(number.rstrip("f")) for number in re.search(r"\{(.*)\}", text).group(1).split(",")]
+        word = text.rsplit("::", 1)[-1]
+        return word if re.match(r"[A-Za-z_]", word) else float(word.rstrip("f"))
+
+    header = (ROOT / "vegetation/trees/tree_settings.h").read_text(encoding="utf-8")
+    defaults = {}
+    for struct, key in (("TreeSettings", "tree"), ("TreeLook", "look")):
+        body = re.search(rf"struct {struct} \{{\n(.*?)\n\n", header, re.DOTALL).group(1)
+        rows = re.findall(r"(\w+)(?: = )?(\{[^{}]*\}|[-\w.:]+)?;", body)
+        defaults[key] = {name: read(default) for name, default in rows if default}
+    kinds = {"oak": defaults}
+    presets = (ROOT / "vegetation/trees/tree_presets.cpp").read_text(encoding="utf-8")
+    for name, body in re.findall(r"TreeKind (\w+)\(\) \{\n(.*?)\n\}\n", presets, re.DOTALL):
+        kind = {key: dict(values) for key, values in defaults.items()}
+        for key, rows in re.findall(r"kind\.(tree|look) = \{(.*?)\};", body, re.DOTALL):
+            kind[key] |= {field: read(text) for field, text in re.findall(rf"\.(\w+) = ({value})", rows)}
+        for key, field, text in re.findall(rf"kind\.(tree|look)\.(\w+) = ({value});", body):
+            kind[key][field] = read(text)
+        kinds[name] = kind
+    unknown = [f"{name}.{field}" for name, kind in kinds.items() for key, values in kind.items() for field in values if field not in defaults[key]]
+    if len(kinds) != 4 or unknown:
+        sys.exit(f"vegetation/trees/tree_presets.cpp: kinds are {', '.join(kinds)}, unknown fields {', '.join(unknown) or 'none'}: mend tree_kinds")
+    return kinds
+
+
+def beast_flesh():
+    """The capsules of the beast, [ax, ay, az, bx, by, bz, radius_a, radius_b, melt] each, from the renderer's table."""
+    joints = dict(re.findall(r"(k_\w+)(\{[^{}]*\})", (ROOT / "vegetation/fur/beast_form.h").read_text(encoding="utf-8")))
+    table = re.search(r"Flesh flesh_of\(\) \{(.*?)return flesh;", (ROOT / "vegetation/fur/beast.cpp").read_text(encoding="utf-8"), re.DOTALL).group(1)
+    table = re.sub(r"//.*", "", re.sub(r"k_\w+", lambda found: joints[found.group()], table))
+    point, number = r"\{([^{}]*)\}", r"([-\d.]+)f"
+    rows = []
+    for kind, *parts in re.findall(rf"(both\(|\{{){point},\s*{point},\s*{number},\s*{number},\s*{number}", table):
+        row = [float(word.strip().rstrip("f")) for part in parts for word in part.split(",")]
+        rows.append(row)
+        if kind == "both(":
+            rows.append([-x if n in (0, 3) else x for n, x in enumerate(row)])
+    if len(rows) < 25 or any(len(row) != 9 for row in rows):
+        sys.exit(f"vegetation/fur/beast.cpp: {len(rows)} capsules of the beast were read: mend beast_flesh")
+    return rows
 
 
 def bundle(names):
@@ -156,8 +215,16 @@ def parts(build, form, worker):
 
 
 def app_script(shown):
-    data = {"SHADERS": shader_texts(), "TABLES": tables(), "SCENES": shown}
-    return small("".join(f"const {name} = {json.dumps(value, separators=(',', ':'))};\n" for name, value in data.items()) + bundle(APP))
+    return with_data({"SHADERS": page_shaders()[0], "TABLES": tables(), "SCENES": shown}, APP)
+
+
+def scenery_script():
+    """In a function, since its short names are app.js's too."""
+    return "(() => {" + with_data({"SCENERY_SHADERS": page_shaders()[1], "TREE_KINDS": tree_kinds(), "BEAST_FLESH": beast_flesh()}, SCENERY) + "})();\n"
+
+
+def with_data(data, names):
+    return small("".join(f"const {name} = {json.dumps(value, separators=(',', ':'))};\n" for name, value in data.items()) + bundle(names))
 
 
 def page(build):
@@ -178,7 +245,9 @@ def page(build):
     for name, content in modules.items():
         (folder / name).write_bytes(content)
     (folder / "worker.js").write_text(worker)
-    fetched = {**modules, "worker.js": worker.encode(), **{f"scenes/{name}": content for name, content in files_of(shown).items()}}
+    scenery = scenery_script()
+    (folder / "scenery.js").write_text(scenery)
+    fetched = {**modules, "worker.js": worker.encode(), "scenery.js": scenery.encode(), **{f"scenes/{name}": content for name, content in files_of(shown).items()}}
     whole(build, html.replace("/* style.css */", style), app, fetched)
     return folder
 
@@ -250,7 +319,7 @@ def package(build):
 
 def sizes(folder):
     total = 0
-    for name in ("index.html", "app.js", "worker.js", "windrow.lzma", "windrow_rest.lzma"):
+    for name in ("index.html", "app.js", "worker.js", "windrow.lzma", "windrow_rest.lzma", "scenery.js"):
         content = (folder / name).read_bytes()
         small_size = len(gzip.compress(content, 9))
         total += small_size

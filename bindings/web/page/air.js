@@ -10,6 +10,7 @@
 //   ["remove", id]
 //   ["set", struct, values]          wind, gusts, and what fans, blasts and strokes are made of
 import {Wind} from "../package/windrow.js";
+import {Late} from "./parts.js";
 import {MAKES, UNITS_A_SECOND, FAN_HEIGHT, bodiesOf, fanDirection} from "./made.js";
 
 const SNAPSHOT_BYTES = 96 << 20; // of all steps that can be undone
@@ -179,6 +180,7 @@ export class Air {
                 this.apply(event);
                 accepted.push(event);
             } catch (fault) {
+                if (fault instanceof Late) throw fault;
                 faults.push({event, text: fault.message});
             }
         const end = this.units + units;

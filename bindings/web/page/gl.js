@@ -6,6 +6,8 @@ export function assemble(texts, name, seen = new Set()) {
     return texts[name].replace(/^#include "(.*)"$/gm, (_, other) => (seen.has(other) ? "" : assemble(texts, other, seen)));
 }
 
+const BLOCKS = ["Page", "WindrowBlock", "Plants", "Ground", "Tree", "Coat"]; // by their bindings
+
 export class Device {
     constructor(canvas, texts) {
         // Smooth edges cost a software device twice its time.
@@ -55,7 +57,7 @@ export class Device {
             }
             gl.useProgram(id);
             samplers.forEach(([uniform], unit) => gl.uniform1i(places[uniform], unit));
-            for (const [point, block] of ["Page", "WindrowBlock", "Plants", "Ground"].entries()) {
+            for (const [point, block] of BLOCKS.entries()) {
                 const index = gl.getUniformBlockIndex(id, block);
                 if (index !== gl.INVALID_INDEX) gl.uniformBlockBinding(id, index, point);
             }
@@ -66,7 +68,7 @@ export class Device {
     /** A uniform buffer at the binding of its block. */
     block(name, bytes) {
         const {gl} = this;
-        const point = ["Page", "WindrowBlock", "Plants", "Ground"].indexOf(name);
+        const point = BLOCKS.indexOf(name);
         if (!this.blocks[name]) {
             this.blocks[name] = gl.createBuffer();
             gl.bindBuffer(gl.UNIFORM_BUFFER, this.blocks[name]);

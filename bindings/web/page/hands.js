@@ -1,5 +1,5 @@
 // Hands: one finger strokes or drags, held still it blasts, two fingers orbit and zoom; a mouse and the keyboard do the same.
-import {add, scaled} from "./gl.js";
+import {add, dot, scaled, sub, unit} from "./gl.js";
 import {offRay} from "./meadow.js";
 
 const HOLD_MS = 450, STILL = 8; // [CSS pixels]
@@ -23,6 +23,20 @@ export class Hands {
     pick({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
         return this.page.meadow.pick((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    }
+    /** Depth of the crown or the furred body that a ray meets [m]: a stroke that begins there stays in the plane across the view. */
+    depthOf(picked) {
+        const point = this.page.meadow.scenery?.pick(picked);
+        return point ? dot(sub(point, picked.from), this.forward()) : null;
+    }
+    forward() {
+        return unit(sub(this.page.camera.target, this.page.eye()));
+    }
+    /** What a stroke touches, as the ground STROKE_HEIGHT below it. */
+    strokeAt(picked, {depth}) {
+        if (!depth) return picked.at;
+        const [x, y, z] = add(picked.from, scaled(picked.ray, depth / Math.max(dot(picked.ray, this.forward()), 0.1)));
+        return [x, Math.max(y - STROKE_HEIGHT, this.page.meadow.groundHeight(x, z)), z];
     }
     objectAt(picked) {
         let best = null;
@@ -50,14 +64,18 @@ export class Hands {
         if (object) {
             Object.assign(pointer, {kind: "drag", object, off: picked.at ? add(object.at, scaled(picked.at, -1)) : [0, 0, 0]});
             this.page.mark(object.id);
-        } else if (picked.at) {
+            return;
+        }
+        pointer.depth = this.depthOf(picked);
+        const at = this.strokeAt(picked, pointer);
+        if (at) {
             this.page.mark(null);
             pointer.kind = "stroke";
             // Moves of the finger that wait behind a long frame come first.
             const blast = () => {
                 if (pointer.moved || pointer.kind !== "stroke" || !this.pointers.has(event.pointerId)) return;
                 pointer.kind = "none";
-                this.page.send(["blast", ...centimetres(add(picked.at, [0, 0.6, 0]))], true);
+                this.page.send(["blast", ...centimetres(add(at, [0, 0.6, 0]))], true);
             };
             setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(blast)), HOLD_MS);
         } else pointer.kind = "orbit";
@@ -76,7 +94,8 @@ export class Hands {
             return;
         }
         pointer.moved ||= Math.hypot(event.clientX - pointer.begun[0], event.clientY - pointer.begun[1]) > STILL;
-        const {at} = this.pick(event);
+        const picked = this.pick(event);
+        const at = pointer.kind === "stroke" ? this.strokeAt(picked, pointer) : picked.at;
         if (!at) return;
         if (pointer.kind === "stroke") {
             if (!pointer.moved) return;
@@ -145,7 +164,7 @@ export class Hands {
         const number = ++this.strokes + 1000 * page.session;
         for (let n = 0; n <= 20; ++n) {
             const [x, , z] = add(page.camera.target, scaled(right, 0.25 * (n - 10)));
-            page.send(["stroke", number, ...centimetres([x, page.meadow.groundHeight(x, z) + STROKE_HEIGHT, z])], n === 0);
+            page.send(["stroke", number, ...centimetres([x, page.handHeight(x, z, STROKE_HEIGHT), z])], n === 0);
             await new Promise((resolve) => setTimeout(resolve, 25));
         }
         page.send(["release", number], false);

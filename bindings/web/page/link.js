@@ -1,4 +1,6 @@
 // A scene and a log as text of a link, and back: deflated where the browser can, in the letters of base64 that a link may hold.
+import {fetchBytes} from "./fetched.js";
+
 async function through(stream, bytes) {
     const writer = stream.writable.getWriter();
     writer.write(bytes);
@@ -27,7 +29,5 @@ export const isInlined = typeof INLINED !== "undefined";
 /** What the single file holds inlined, else what a server or a folder has. */
 export async function fetchFile(name) {
     if (isInlined && name in INLINED) return (await through(new DecompressionStream("gzip"), bytesOf(INLINED[name]))).buffer;
-    const answer = await fetch(name);
-    if (!answer.ok) throw new Error(`${name}: the server answered ${answer.status}`);
-    return answer.arrayBuffer();
+    return fetchBytes(name);
 }

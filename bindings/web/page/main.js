@@ -49,7 +49,7 @@ class Page {
         const link = location.hash.length > 2 ? await fromLink(location.hash.slice(1)).catch(() => null) : null;
         await this.load(link?.scene ?? 0, {text: link?.text, frames: link?.frames, made: link?.made});
         requestAnimationFrame((now) => this.tick(now));
-        await this.ask("rest");
+        await this.ask("rest").catch((fault) => this.missing(fault));
     }
     /** What acts on blades: slow machines leave out the ripples that are smaller than a cell. */
     get sampling() {
@@ -66,13 +66,47 @@ class Page {
         else {
             const {resolve, reject} = this.waiting.get(data.number) ?? {};
             this.waiting.delete(data.number);
-            if (data.did === "fault") reject?.(new Error(data.text));
+            if (data.did === "fault") reject?.(Object.assign(new Error(data.text), {late: data.late, broken: data.broken}));
             else resolve?.(data);
         }
     }
-    say(text, wrong = false) {
-        find("says").textContent = text;
+    /** A sentence, and where `retry` is given a button that calls it. */
+    say(text, wrong = false, retry = null) {
+        find("says").replaceChildren(text);
         find("says").classList.toggle("wrong", wrong);
+        if (!retry) return;
+        const button = Object.assign(document.createElement("button"), {textContent: "Try again"});
+        button.addEventListener("click", () => {
+            this.say("Loading ...");
+            retry().catch((fault) => this.missing(fault, retry));
+        });
+        find("says").append(" ", button);
+    }
+    /** A part of the page did not come, or what else went wrong; `retry` asks for it again. */
+    missing(fault, retry = () => this.again()) {
+        if (!fault.late) this.say(fault.message, true);
+        else this.say(`A part of the page is missing: ${fault.message}.`, true, retry);
+    }
+    async again() {
+        const answer = await this.ask("again", {sampling: this.sampling});
+        Object.assign(this, {broken: false, busy: false, queue: []});
+        if (answer.halves) this.took(answer);
+        this.say("");
+    }
+    /** The script of trees and furred bodies, once; what failed is fetched again by the next call. */
+    async needScenery() {
+        if (this.meadow.scenery) return this.meadow.scenery;
+        this.say("Loading trees and fur ...");
+        const text = await fetchFile("scenery.js").catch((fault) => {
+            throw Object.assign(fault, {late: true});
+        });
+        const script = document.createElement("script");
+        script.src = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
+        await new Promise((resolve, reject) => {
+            script.onload = script.onerror = () => (window.WindrowScenery ? resolve() : reject(Object.assign(new Error("scenery.js is damaged"), {late: true})));
+            document.head.append(script);
+        });
+        return (this.meadow.scenery = new window.WindrowScenery(this.device));
     }
 
     // --- scenes ------------------------------------------------------------------------------------------------------
@@ -81,17 +115,25 @@ class Page {
         const shown = this.scenes[index];
         text ??= shown.text;
         this.busy = true;
-        for (const name of shown.files ?? []) files[name] = new Uint8Array(await fetchFile(`scenes/${name}`));
-        const plants = {plant: shown.plant ?? "GRASS", blade: BLADES[shown.plant ?? "GRASS"]};
-        let loaded;
+        const plants = {plant: shown.plant ?? "GRASS", blade: {...BLADES[shown.plant ?? "GRASS"], ...shown.blade}};
+        const picture = pictureOf(text);
+        let loaded, wants = null;
         try {
-            loaded = await this.ask("load", {text, files: {...this.dropped, ...files}, plants, frames, sampling: this.sampling});
+            for (const name of shown.files ?? [])
+                files[name] = new Uint8Array(await fetchFile(`scenes/${name}`).catch((fault) => {
+                    throw Object.assign(fault, {late: true});
+                }));
+            if (picture.trees?.length || picture.bodies?.length) wants = (await this.needScenery()).wants(picture);
+            loaded = await this.ask("load", {text, files: {...this.dropped, ...files}, plants, frames, sampling: this.sampling, scenery: wants});
+        } catch (fault) {
+            find("scene").value = String(this.index ?? index);
+            throw fault;
         } finally {
             this.busy = false;
         }
         Object.assign(this, {index, text, shown, description: JSON.parse(text), queue: [], owed: 0, userObjects: [], markedId: null,
             session: this.session + 1, made: made ?? []});
-        this.meadow.setScene(loaded, shown, this.terrainOf(files));
+        this.meadow.setScene(loaded, shown, this.terrainOf(files), picture);
         this.field.set(loaded.halves, loaded.cells, loaded.box);
         const {target, distance, yaw, pitch} = shown.camera;
         Object.assign(this.camera, {target: [...target], distance, yaw, pitch});
@@ -106,7 +148,11 @@ class Page {
         this.panel.show({air: this.description.air, profile: this.description.air.profile, gusts: this.description.air.gusts,
             ...Object.fromEntries(Object.entries(loaded.made).map(([key, {values}]) => [key, values]))});
         this.showState();
-        this.say("");
+        this.say(wants?.leftOut.length ? `This page does not draw ${wants.leftOut.join(", ")}.` : "");
+    }
+    /** [m] Where keys stroke and blast: above the ground, or where a crown or a body is. */
+    handHeight(x, z, above) {
+        return this.meadow.scenery?.shows ? this.camera.target[1] : this.meadow.groundHeight(x, z) + above;
     }
     topSpeed() {
         const {ambient = [0, 0, 0]} = this.description.air;
@@ -144,7 +190,8 @@ class Page {
         const list = [];
         const {solids} = this.meadow;
         const scene = Object.fromEntries(this.sceneObjects().map((object) => [object.id, object]));
-        for (const body of this.description.obstacles ?? []) {
+        const hidden = new Set((this.description.picture?.obstacles ?? []).filter((look) => look.hidden).map(({name}) => name));
+        for (const body of (this.description.obstacles ?? []).filter(({name}) => !hidden.has(name))) {
             const object = scene[body.name];
             list.push(...solids.ofBody(object ? {...body, position: object.at, turn_deg: [object.yaw, ...(body.turn_deg ?? [0, 0, 0]).slice(1)]} : body)
                 .map(([mesh, model, tint]) => [mesh, model, object && object.id === this.markedId ? marking(tint) : tint]));
@@ -203,7 +250,7 @@ class Page {
             this.owed = UNITS_A_SECOND / (this.description.tick_hz ?? 30);
             this.oneStep = true;
         } else if (action === "undo") this.undo();
-        else if (action === "blast") this.send(["blast", ...[target[0], this.meadow.groundHeight(target[0], target[2]) + 0.6, target[2]].map((x) => Math.round(100 * x))], true);
+        else if (action === "blast") this.send(["blast", ...[target[0], this.handHeight(target[0], target[2], 0.6), target[2]].map((x) => Math.round(100 * x))], true);
         else if (action === "gust") this.hands.gust();
         else if (action in KINDS) {
             const [right, toward] = this.ways();
@@ -234,7 +281,8 @@ class Page {
     async undo() {
         while (this.busy) await new Promise((resolve) => setTimeout(resolve, 5));
         this.busy = true;
-        const answer = await this.ask("undo", {sampling: this.sampling}).finally(() => (this.busy = false));
+        const answer = await this.ask("undo", {sampling: this.sampling}).catch((fault) => this.missing(fault)).finally(() => (this.busy = false));
+        if (!answer) return;
         this.queue = [];
         this.took(answer);
         this.say(answer.undone ? "" : "There is nothing to undo.");
@@ -301,7 +349,10 @@ class Page {
         const [events, begins, settled] = [this.queue, this.begins, this.settled ?? []];
         Object.assign(this, {queue: [], begins: false, settled: []}); // the settings that wait are those of these events
         const want = {pressure: this.overlays.pressure && this.overlays.slices.length > 0, sleep: this.overlays.box};
-        const answer = await this.ask("frame", {units, events, begins, sampling: this.sampling, want}).finally(() => (this.busy = false));
+        const answer = await this.ask("frame", {units, events, begins, sampling: this.sampling, want}).catch((fault) => {
+            for (const resolve of settled) resolve(fault.message);
+            throw fault;
+        }).finally(() => (this.busy = false));
         this.tickMs = answer.ms;
         this.packMs = answer.packed;
         this.took(answer);
@@ -315,8 +366,9 @@ class Page {
         if (!this.paused) this.owed = Math.min(this.owed + seconds * UNITS_A_SECOND * (this.slow ? SLOW : 1), MOST_SECONDS * UNITS_A_SECOND);
         if (!this.broken)
             this.advance().catch((fault) => {
-                this.broken = true;
-                this.say(`The air has stopped; reload the page. ${fault.message}`, true);
+                this.broken = !fault.late || fault.broken; // else the air goes on, without what was asked for
+                if (fault.late) this.missing(fault);
+                else this.say(`The air has stopped; reload the page. ${fault.message}`, true);
             });
         const begun = performance.now();
         this.render(seconds);
@@ -363,7 +415,7 @@ class Page {
     // --- controls ----------------------------------------------------------------------------------------------------------
     buttons() {
         for (const [n, {title}] of this.scenes.entries()) find("scene").add(new Option(title, String(n)));
-        find("scene").addEventListener("change", () => this.load(Number(find("scene").value)).catch((fault) => this.say(fault.message, true)));
+        find("scene").addEventListener("change", () => this.choose(Number(find("scene").value)));
         for (const button of document.querySelectorAll("button[data-act]")) button.addEventListener("click", () => this.act(button.dataset.act));
         for (const box of document.querySelectorAll("input[data-show]")) box.addEventListener("change", () => (this.overlays[box.dataset.show] = box.checked));
         find("slice").addEventListener("change", () => this.setSlice());
@@ -372,8 +424,12 @@ class Page {
         document.addEventListener("dragover", (event) => event.preventDefault());
         document.addEventListener("drop", (event) => {
             event.preventDefault();
-            this.drop([...event.dataTransfer.files]).catch((fault) => this.say(fault.message, true));
+            this.drop([...event.dataTransfer.files]).catch((fault) => this.missing(fault));
         });
+    }
+    choose(index) {
+        const load = () => (this.broken ? this.again() : Promise.resolve()).then(() => this.load(index));
+        return load().catch((fault) => this.missing(fault, load));
     }
     setSlice() {
         const axis = Number(find("slice").value);
@@ -408,6 +464,14 @@ class Page {
         find("speeds").textContent = last.map(({name, error, ms}) => `${name}: error ${error.toPrecision(3)}, ${ms.toFixed(2)} ms a step`).join("; ");
     }
 }
+/** What a scene's text has of a picture; the library says what is wrong with one that cannot be read. */
+function pictureOf(text) {
+    try {
+        return JSON.parse(text).picture ?? {};
+    } catch {
+        return {};
+    }
+}
 function reachOf(shape) {
     const [kind, value] = Object.entries(shape)[0];
     return kind === "block" ? Math.min(Math.hypot(...value.half_size), 2.5) : value.radius ?? 1;
@@ -417,7 +481,7 @@ const SIMD_PROBE = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1
 try {
     const page = new Page(SHADERS, SCENES);
     window.windrow = page;
-    page.begin().catch((fault) => page.say(fault.message, true));
+    page.begin().catch((fault) => page.say(`The page cannot begin: ${fault.message}`, true, () => (location.reload(), new Promise(() => {}))));
 } catch (fault) {
     find("says").textContent = fault.message;
 }

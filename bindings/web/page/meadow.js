@@ -91,7 +91,7 @@ export class Meadow {
     }
 
     // --- a scene -----------------------------------------------------------------------------------------------------
-    setScene(loaded, shown, terrain) {
+    setScene(loaded, shown, terrain, picture) {
         const {device} = this, {gl} = device;
         this.shown = shown;
         this.plant = shown.plant ?? "GRASS";
@@ -116,6 +116,7 @@ export class Meadow {
         this.numbers.set([...(terrain ? terrain.corners : [2, 2]), this.box.origin[1], 0], 80);
         this.ground = null;
         this.goesOn = false;
+        this.scenery?.setScene(loaded.scenery ? picture : {}, loaded.scenery ?? {trees: [], coats: []}, (x, z) => this.groundHeight(x, z));
         this.setLight(shown);
         this.setFrame(loaded);
         this.setFrame(loaded);
@@ -213,6 +214,7 @@ export class Meadow {
         plants.set(new Float32Array(answer.swing.buffer, answer.swing.byteOffset, 80), 16);
         plants.set(["root", "tip", "dry", "through", "size", "second", "head", "soil", "shape", "clumps", "patches"].flatMap((key) => look[key]), 96);
         device.block("Plants", plants);
+        this.motion = answer.motion;
         if (answer.ground) {
             if (!this.ground) {
                 const side = Math.sqrt(answer.ground.texels.length / 4);
@@ -269,30 +271,38 @@ export class Meadow {
         words.set([this.n, QUALITIES[this.quality].rows, Number(this.goesOn), 7], 108);
         numbers.set([middle[0], middle[2], (0.55 * Math.tan(camera.view / 2) * 2) / height, performance.now() / 1000], 112);
         numbers[83] = this.ground ? 1 : 0;
-        numbers[63] = list.length > 0 ? 1 : 0; // without bodies no shadow is drawn or looked up
+        const scenery = this.scenery?.shows ? this.scenery : null;
+        const shades = list.length > 0 || scenery !== null;
+        numbers[63] = shades ? 1 : 0; // without bodies no shadow is drawn or looked up
         const around = camera.target;
         const shadowView = lookAt(add(around, scaled(this.sun, 60)), around);
         const toShadow = product(orthographic(44, 44, 1, 140), shadowView);
         numbers.set(toShadow, 32);
         this.upload();
 
+        const shared = {windrow_vectors: this.now, windrow_vectors_before: this.before, windrow_tile_texels: this.tile,
+            height_texels: this.heights, shadow_map: this.shadow, sky_map: this.skyMap, patches_map: this.patches, pressure: this.pressure ?? this.empty3d};
+        if (scenery && this.fresh) {
+            gl.bindVertexArray(this.bare);
+            scenery.bend({...shared, shadow_map: null}, this.motion, this.quality);
+        }
         gl.enable(gl.DEPTH_TEST);
-        if (list.length > 0) {
+        if (shades) {
             gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
             gl.viewport(0, 0, SHADOW_TEXELS, SHADOW_TEXELS);
             gl.clear(gl.DEPTH_BUFFER_BIT);
             gl.colorMask(false, false, false, false);
             this.solids.draw(list, "solid", device.use("solid", {sky_map: this.skyMap, height_texels: this.heights}), toShadow);
+            scenery?.draw({...shared, shadow_map: null}, toShadow, this.quality, true);
             gl.colorMask(true, true, true, true);
         }
 
-        const shared = {windrow_vectors: this.now, windrow_vectors_before: this.before, windrow_tile_texels: this.tile,
-            height_texels: this.heights, shadow_map: this.shadow, sky_map: this.skyMap, patches_map: this.patches, pressure: this.pressure ?? this.empty3d};
         if (this.fresh) this.bend(shared);
         gl.bindFramebuffer(gl.FRAMEBUFFER, null);
         gl.viewport(0, 0, width, height);
         gl.clear(gl.DEPTH_BUFFER_BIT);
         this.solids.draw(list, "solid", device.use("solid", shared), this.toClip);
+        scenery?.draw(shared, this.toClip, this.quality, false);
         this.drawBlades(shared);
         device.use("ground", shared);
         gl.bindVertexArray(this.land.array);

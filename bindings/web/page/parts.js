@@ -2,19 +2,37 @@
 //
 // tools/make_web.py splits it. The first part imports a function of `placeholder` for each that its table has in the rest; when the rest
 // is made, its own functions take their places in the table. A call that comes sooner waits for the rest. Both parts are one module with
-// one memory, and compute the same bits as the whole.
+// one memory, and compute the same bits as the whole. A load that fails within a call leaves that call half done: its error is `Late`,
+// after which the module is no more to be used.
 import {instantiate} from "../package/windrow.js";
+import {fetchBytes, nameOf} from "./fetched.js";
 import {unpacked} from "./unpack.js";
+
+/** The other part could not be had; `within` a call, which is then left half done. */
+export class Late extends Error {
+    constructor(text, within = false) {
+        super(text);
+        this.within = within;
+    }
+}
+const PATIENCE_MS = 15000;
 
 /** The library of the packed bytes of the first part; `rest` is the address of the other, or its packed bytes. */
 export async function instantiateParts(createWindrow, first, rest, description) {
-    let exports = null, fails;
+    const address = typeof rest === "string" ? rest : null;
+    let exports = null, fails, bytes = address ? null : rest, whole = !rest, coming = null;
     const failure = new Promise((_, reject) => (fails = reject));
-    const load = (packed) => {
-        if (exports === null || !rest) return;
-        const bytes = unpacked(new Uint8Array(packed ?? (typeof rest === "string" ? fetchNow(rest) : rest)));
-        new WebAssembly.Instance(new WebAssembly.Module(bytes), {primary: exports});
-        rest = null; // what failed is tried again by the next call
+    const load = (within = true) => {
+        if (exports === null || whole) return;
+        bytes ??= fetchNow(address);
+        try {
+            new WebAssembly.Instance(new WebAssembly.Module(unpacked(new Uint8Array(bytes))), {primary: exports});
+        } catch (fault) {
+            if (!address) throw fault;
+            bytes = null;
+            throw new Late(`${nameOf(address)} is damaged`, within);
+        }
+        whole = true;
     };
     const late = (index) => (...values) => {
         load();
@@ -32,19 +50,28 @@ export async function instantiateParts(createWindrow, first, rest, description) 
     };
     const library = await Promise.race([instantiate(createWindrow, {instantiateWasm}, description), failure]);
     const fetchRest = async () => {
-        if (typeof rest !== "string") return;
-        const answer = await fetch(rest);
-        if (!answer.ok) throw new Error(`${rest}: the server answered ${answer.status}`);
-        load(await answer.arrayBuffer());
+        coming ??= bytes || whole ? null : fetchBytes(address).finally(() => (coming = null));
+        const fetched = await coming?.catch((fault) => {
+            throw new Late(fault.message);
+        });
+        bytes ??= fetched ?? null;
+        load(false);
+        return bytes;
     };
     return {library, load, fetchRest};
 }
 
+// Within a call, which cannot wait in another way.
 function fetchNow(address) {
     const request = new XMLHttpRequest();
     request.open("GET", address, false);
     request.responseType = "arraybuffer";
-    request.send();
-    if (request.status !== 200) throw new Error(`${address}: the server answered ${request.status}`);
+    request.timeout = PATIENCE_MS;
+    try {
+        request.send();
+    } catch {
+        throw new Late(`${nameOf(address)}: the server does not answer`, true);
+    }
+    if (request.status !== 200) throw new Late(`${nameOf(address)}: the server answered ${request.status}`, true);
     return request.response;
 }

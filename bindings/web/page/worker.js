@@ -1,14 +1,19 @@
 // The worker: it owns the library and the air. One message in, one out; big arrays are handed over, not copied.
 import {Air} from "./air.js";
 import {UNITS_A_SECOND} from "./made.js";
-import {instantiateParts} from "./parts.js";
+import {Late, instantiateParts} from "./parts.js";
 import {runVortices} from "./vortices.js";
 
 let library = null;
 let parts = null; // of its module
+let source = null; // of its parts: wasm, rest
+let begun = null; // what the air was loaded of
+let broken = false; // a call of the module was left half done
 let air = null;
 let grass = null; // of the scene's plants: blade class, springs
+let scenery = null; // of the scene's trees and coats: blocks
 let lastHash = "";
+const FIRST_EVENTS = new Set(["stroke", "release", "blast"]); // which need no more than the first part, as first_picture.mjs plays it
 
 function copyOf(at, name) {
     return library.module.HEAPU8.slice(at, at + library.structs[name].size);
@@ -37,6 +42,48 @@ function swingSteps(duration) {
         return library.module.HEAPU8.slice(blocks, blocks + 4 * size);
     });
 }
+/** Blocks of trees' and coats' classes, for shaders; `wants` is of scenery.js. */
+function sceneryOf({classes, coats}) {
+    const {choices} = library;
+    return library.within(() => {
+        const drag = (plant, values) => {
+            const at = library.make("windrow_drag");
+            library.call("windrow_drag_of", choices[`WINDROW_PLANT_${plant}`], at);
+            return library.write("windrow_drag", at, values);
+        };
+        const block = (name, made, fill, destroy) => {
+            const at = library.room(library.structs[name].size);
+            library.call(fill, made, at);
+            const floats = new Float32Array(copyOf(at, name).buffer);
+            library.call(destroy, made);
+            return floats;
+        };
+        const trees = classes.map(({trunk, branch}) => block("windrow_tree_block", library.handle("windrow_tree_create", library.make("windrow_tree_classes",
+            {trunk: drag("SMALL_TRUNK", trunk), branch: drag("BRANCH", branch), leaf: drag("TWIG", {})})), "windrow_tree_block_of", "windrow_tree_destroy"));
+        const shells = coats.map(({strand, ...layers}) => block("windrow_shell_block", library.handle("windrow_shells_create",
+            library.make("windrow_shell_settings", {...layers, ...(strand ? {strand: {struct: "windrow_drag", values: strand}} : {})})),
+        "windrow_shells_block", "windrow_shells_destroy"));
+        return {trees, coats: shells};
+    });
+}
+/** A frame of `duration` [s] of trees: four bands each of trunk, limbs and twigs, then the leaves' flutter. */
+function treeMotion(duration) {
+    const {structs, choices} = library;
+    return library.within(() => {
+        const size = structs.windrow_spring_block.size, all = library.room(12 * size + structs.windrow_flutter_block.size);
+        const step = library.room(structs.windrow_spring_step.size), bands = library.room(4 * structs.windrow_spring_class.size);
+        ["TRUNK", "BRANCH", "TWIG"].forEach((plant, n) => {
+            const spring = library.result("windrow_spring_class", "windrow_spring_class_of", choices[`WINDROW_SPRING_${plant}`]);
+            library.call("windrow_spring_bands", library.make("windrow_spring_class", spring), bands);
+            for (let band = 0; band < 4; ++band) {
+                library.call("windrow_spring_step_make", bands + band * structs.windrow_spring_class.size, duration, step);
+                library.call("windrow_spring_step_block", step, all + (4 * n + band) * size);
+            }
+        });
+        library.call("windrow_flutter_step_make", 0, air.time, duration, all + 12 * size);
+        return new Float32Array(library.memory, all, 3 * size + structs.windrow_flutter_block.size / 4).slice();
+    });
+}
 function floats(name, count) {
     const at = library.module._malloc(4 * count);
     library.call(name, air.wind.at, at, BigInt(count));
@@ -46,14 +93,15 @@ function floats(name, count) {
 }
 
 function view({units, sampling, want = {}}) {
-    const begun = performance.now();
+    const start = performance.now();
     const halves = air.wind.halves().slice();
     const block = air.wind.frameBlock([0, 0, 0], sampling);
-    const packed = performance.now() - begun;
+    const packed = performance.now() - start;
     const ground = air.groundTexels();
     const answer = {halves, block, swing: swingSteps(units / UNITS_A_SECOND), ground, time: air.time, packed, placed: {...air.placed},
         objects: Object.entries(air.objects).map(([id, {kind, at, yaw, begun: since}]) =>
             ({id, kind, at: kind === "walker" ? air.walk({at, begun: since}, air.units) : at, yaw}))};
+    if (scenery?.trees.length) answer.motion = treeMotion(units / UNITS_A_SECOND);
     if (want.pressure) answer.pressure = floats("windrow_wind_write_pressure", air.wind.cells);
     if (want.sleep) {
         const hash = air.hash();
@@ -65,14 +113,18 @@ function view({units, sampling, want = {}}) {
 
 const calls = {
     async begin({wasm, rest}) {
+        source = {wasm, rest};
         parts = await instantiateParts(createWindrow, wasm, rest, INTERFACE);
         library = parts.library;
         return [{version: library.version}];
     },
-    load({text, files, plants, frames, sampling}) {
+    async load({frames, sampling, ...given}) {
+        if (air || given.scenery || frames) await parts.fetchRest();
+        const {text, files, plants} = given;
         const next = new Air(library, text, files); // a fault leaves the old one
+        const blocks = given.scenery ? sceneryOf(given.scenery) : null;
         if (air) air.destroy();
-        air = next;
+        [air, scenery, begun] = [next, blocks, given];
         grass = plantsOf(plants ?? {});
         let played = 0;
         for (const [units, events] of Air.played(frames ?? [])) {
@@ -82,22 +134,40 @@ const calls = {
         const tile = air.wind.gustTile();
         const [first, transfer] = view({units: 1, sampling});
         if (frames) Object.assign(first, {hash: air.hash(), units: air.units});
-        return [{...first, tile, cells: air.wind.box().cells, box: air.wind.box(), blade: grass.block, made: air.makes},
+        return [{...first, tile, cells: air.wind.box().cells, box: air.wind.box(), blade: grass.block, made: air.makes, scenery: blocks},
             [...transfer, ...(tile ? [tile.buffer] : [])]];
     },
     async rest() {
         await parts.fetchRest();
         return [{}];
     },
-    frame({units, events, begins, sampling, want}) {
+    /** After a load that failed: the rest is fetched again. Where a call was left half done, the air is played again in a new module. */
+    async again({sampling}) {
+        source.rest = await parts.fetchRest();
+        if (broken) {
+            const frames = air ? JSON.parse(air.log()) : [];
+            parts = await instantiateParts(createWindrow, source.wasm, source.rest, INTERFACE);
+            library = parts.library;
+            parts.load();
+            air = null;
+            broken = false;
+            if (begun) await calls.load({...begun, frames});
+        }
+        if (!air) return [{}];
+        const [answer, transfer] = view({units: 1, sampling});
+        return [{...answer, faults: [], steps: air.snapshots.length}, transfer];
+    },
+    async frame({units, events, begins, sampling, want}) {
+        if (!events.every(([kind]) => FIRST_EVENTS.has(kind))) await parts.fetchRest();
         if (begins) air.snapshot();
-        const begun = performance.now();
+        const start = performance.now();
         const faults = air.frame(units, events);
-        const ms = performance.now() - begun;
+        const ms = performance.now() - start;
         const [answer, transfer] = view({units: Math.max(units, 1), sampling, want});
         return [{...answer, faults, ms, units, steps: air.snapshots.length}, transfer];
     },
-    undo({sampling}) {
+    async undo({sampling}) {
+        await parts.fetchRest();
         const undone = air.undo();
         const [answer, transfer] = view({units: 1, sampling});
         return [{...answer, undone, steps: air.snapshots.length}, transfer];
@@ -117,9 +187,12 @@ const calls = {
 onmessage = async ({data}) => {
     const {call, number, ...values} = data;
     try {
-        const [answer, transfer = []] = await calls[call](values);
-        postMessage({did: call, number, ...answer}, transfer);
+        if (broken && call !== "again") throw new Late("a part of the page is missing");
+        const [answered, transfer = []] = await calls[call](values);
+        postMessage({did: call, number, ...answered}, transfer);
     } catch (fault) {
-        postMessage({did: "fault", call, number, text: fault.message ?? String(fault)});
+        const late = fault instanceof Late;
+        if (late && fault.within) broken = true;
+        postMessage({did: "fault", call, number, late, broken, text: fault.message ?? String(fault)});
     }
 };

@@ -235,8 +235,11 @@ WINDROW_FN WindrowStrandHit windrow_strand_uv(WindrowStrandField field, vec2 uv,
         shrink = windrow_tuft_shrink(field, h);
         q = q + tuft.offset * ((1.0f / shrink - 1.0f) / field.bow.w); // where it stood before the tips gathered
     }
-    WindrowStrandHit hit =
-        field.points.w < 1.5f ? windrow_strand_centre_hit(field, q, h, 1.0f / shrink) : windrow_strand_edge_hit(field, q, h);
+    WindrowStrandHit hit; // by `if`: browsers select no structs by ?:
+    if (field.points.w < 1.5f)
+        hit = windrow_strand_centre_hit(field, q, h, 1.0f / shrink);
+    else
+        hit = windrow_strand_edge_hit(field, q, h);
     if (tufts) {
         // A strand whose root belongs to another tuft is drawn there.
         if (hit.inside > 0.0f && windrow_strand_nearest(coarse, vec2(hit.root) * field.bow.w, false).key != tuft.key)
