@@ -14,7 +14,7 @@ async function ask(call, values = {}) {
     const answer = answers.pop();
     if (answer.did !== call) throw new Error(answer.text);
 }
-const frame = (events, begins = false) => ask("frame", {units: 4, events, begins, want: {sleep: true}});
+const frame = (events, units = 4) => ask("frame", {units, events, want: {sleep: true}});
 
 const bytes = fs.readFileSync(wasm);
 await ask("begin", {wasm: bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)});
@@ -22,6 +22,7 @@ await ask("load", {text: fs.readFileSync(scene, "utf8"), plants: {plant: "GRASS"
 for (let n = 0; n < 12; ++n) await frame(n % 4 === 0 ? [["stroke", 1, 20 * n, 40, 0]] : []);
 await frame([["release", 1], ["blast", 100, 50, 0]]);
 for (let n = 0; n < 12; ++n) await frame([]);
+await frame([], 24); // of a slow machine, with several ticks
 
 const module = vm.runInThisContext("library.module");
 const size = 1 << 17;

@@ -10,12 +10,20 @@ const {chromium} = require(path.join(process.env.WINDROW_NODE_MODULES ?? "node_m
 const KINDS = {".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".json": "application/json"};
 const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--no-sandbox"];
 
-export function serve(root) {
+/** `fails` has by a file's name "missing", "stalls" (a beginning, then nothing) or "silent"; a test may change it. */
+export function serve(root, fails = {}) {
     const folder = path.resolve(root);
     const server = http.createServer((request, answer) => {
         const name = path.join(folder, decodeURIComponent(new URL(request.url, "http://x").pathname));
         const file = fs.existsSync(name) && fs.statSync(name).isDirectory() ? path.join(name, "index.html") : name;
-        if (!file.startsWith(folder) || !fs.existsSync(file)) {
+        const fault = fails[path.basename(file)];
+        if (fault === "silent") return;
+        if (fault === "stalls") {
+            answer.writeHead(200, {"content-length": fs.statSync(file).size});
+            answer.write(fs.readFileSync(file).subarray(0, 1000));
+            return;
+        }
+        if (fault === "missing" || !file.startsWith(folder) || !fs.existsSync(file)) {
             answer.writeHead(404).end();
             return;
         }
@@ -29,9 +37,10 @@ export async function launch() {
 }
 
 /** A tab whose messages are kept: a page says nothing. */
-export async function open(browser, address, {width = 960, height = 540, touch = false} = {}) {
+export async function open(browser, address, {width = 960, height = 540, touch = false, patience} = {}) {
     const context = await browser.newContext({viewport: {width, height}, hasTouch: touch, permissions: []});
     const tab = await context.newPage();
+    if (patience) await tab.addInitScript(`window.windrowPatience = ${patience}`);
     const messages = [];
     tab.on("console", (message) => messages.push(`${message.type()}: ${message.text()}`));
     tab.on("pageerror", (fault) => messages.push(`error: ${fault.stack ?? fault.message}`));

@@ -84,6 +84,7 @@ const kilobytes = (...names) => names.reduce((sum, name) => sum + zlib.gzipSync(
 const before = kilobytes("index.html", "app.js", "worker.js", "windrow.lzma");
 figure("page_gzipped_kb", before, 320);
 figure("whole_page_gzipped_kb", before + kilobytes("windrow_rest.lzma"), 460);
+figure("scenery_gzipped_kb", kilobytes("scenery.js"), 24);
 
 const {server, address} = await serve(path.join(build, "page"));
 const browser = await launch();
@@ -238,6 +239,37 @@ try {
     await later(tab, 0.5);
     claim(await tab.evaluate(() => window.windrow.meadow.pressure !== null && window.windrow.overlays.lines.length > 7000), "overlays draw the air");
     await tab.screenshot({path: path.join(pictures, "overlays.png")});
+
+    // --- trees and fur. One that sways by a clock of its own moves in a calm; one that reads no cells is left stiff by a stroke. ----------
+    const calm = (name) => {
+        const scene = JSON.parse(fs.readFileSync(path.join(scenes, "web", `${name}.json`), "utf8"));
+        return JSON.stringify({...scene, motors: [], air: {...scene.air, ambient: [0, 0, 0], gusts: undefined, profile: undefined}});
+    };
+    const largestBend = (kind) => tab.evaluate((name) => {
+        const {device: {gl}, meadow: {scenery}} = window.windrow;
+        const [one] = name === "oak" ? scenery.trees.stands : scenery.coats.bodies;
+        const rows = (one.model ?? one.mesh).rows, texels = new Float32Array(4 * 64 * rows);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, name === "oak" ? one.states[0].target : one.target);
+        gl.readBuffer(gl.COLOR_ATTACHMENT0);
+        gl.readPixels(0, 0, 64, rows, gl.RGBA, gl.FLOAT, texels);
+        let most = 0;
+        for (let n = 0; n < texels.length; n += 4) most = Math.max(most, Math.hypot(texels[n], texels[n + 1], texels[n + 2]));
+        return most;
+    }, kind);
+    await tab.evaluate(() => Object.assign(window.windrow.overlays, {slices: [], arrows: false, streaks: false, box: false}));
+    for (const [label, name, from, to] of [["Oak", "oak", [-1.4, 3, 1], [1.4, 3.2, -1]], ["Wolf", "wolf", [0.1, 0.85, -0.6], [0.1, 0.85, 0.7]]]) {
+        await tab.selectOption("#scene", {label});
+        await tab.waitForFunction((wanted) => window.windrow.description.name === wanted && !window.windrow.busy, name, {timeout: 120000});
+        await later(tab, 0.1);
+        await tab.screenshot({path: path.join(pictures, `${name}.png`)});
+        await drop(`${name}.json`, calm(name));
+        await later(tab, 0.1);
+        const rest = await largestBend(name);
+        await swipe(tab, await onScreen(tab, from), await onScreen(tab, to));
+        await later(tab, 0.15);
+        const stroked = await largestBend(name);
+        claim(rest < 1e-3 && stroked > 0.05, `${name}: its parts bend by ${rest.toFixed(4)} rad in a calm, by ${stroked.toFixed(2)} rad after a stroke`);
+    }
 
     await tab.context().close();
     const phone = await show("?quality=1", {width: 390, height: 844, touch: true});

@@ -1,5 +1,6 @@
 // Files from the page's server, with an end to waiting: a server that sends nothing for a while is as one that is gone.
-const STALLED_MS = 15000;
+// [ms] Tests wait for less.
+export const patience = () => self.windrowPatience ?? 15000;
 
 export const nameOf = (address) => address.split("/").pop();
 export async function fetchBytes(address) {
@@ -7,7 +8,7 @@ export async function fetchBytes(address) {
     let timer = 0;
     const wait = () => {
         clearTimeout(timer);
-        timer = setTimeout(() => stop.abort(), self.windrowPatience ?? STALLED_MS);
+        timer = setTimeout(() => stop.abort(), patience());
     };
     try {
         wait();

@@ -41,7 +41,7 @@ class Page {
         this.worker = new Worker(URL.createObjectURL(new Blob([script], {type: "text/javascript"})));
         this.worker.onmessage = ({data}) => this.answered(data);
         this.worker.onerror = (event) => this.say(event.message, true);
-        const started = this.ask("begin", {wasm, rest}, [wasm]);
+        const started = this.ask("begin", {wasm, rest, patience: window.windrowPatience}, [wasm]);
         this.device.ready();
         this.meadow.setQuality(this.startQuality);
         const {version} = await started;
@@ -84,6 +84,7 @@ class Page {
     }
     /** A part of the page did not come, or what else went wrong; `retry` asks for it again. */
     missing(fault, retry = () => this.again()) {
+        this.broken ||= fault.broken === true;
         if (!fault.late) this.say(fault.message, true);
         else this.say(`A part of the page is missing: ${fault.message}.`, true, retry);
     }
@@ -366,7 +367,7 @@ class Page {
         if (!this.paused) this.owed = Math.min(this.owed + seconds * UNITS_A_SECOND * (this.slow ? SLOW : 1), MOST_SECONDS * UNITS_A_SECOND);
         if (!this.broken)
             this.advance().catch((fault) => {
-                this.broken = !fault.late || fault.broken; // else the air goes on, without what was asked for
+                this.broken ||= !fault.late; // else the air goes on, without what was asked for
                 if (fault.late) this.missing(fault);
                 else this.say(`The air has stopped; reload the page. ${fault.message}`, true);
             });
@@ -454,7 +455,7 @@ class Page {
         find("vortices").disabled = true;
         this.points = [];
         find("errors").hidden = false;
-        await this.ask("vortices", {cells: 32}).catch((fault) => this.say(fault.message, true));
+        await this.ask("vortices", {cells: 32}).catch((fault) => this.missing(fault));
         find("vortices").disabled = false;
     }
     vortex(point) {

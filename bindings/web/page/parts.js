@@ -5,7 +5,7 @@
 // one memory, and compute the same bits as the whole. A load that fails within a call leaves that call half done: its error is `Late`,
 // after which the module is no more to be used.
 import {instantiate} from "../package/windrow.js";
-import {fetchBytes, nameOf} from "./fetched.js";
+import {fetchBytes, nameOf, patience} from "./fetched.js";
 import {unpacked} from "./unpack.js";
 
 /** The other part could not be had; `within` a call, which is then left half done. */
@@ -15,7 +15,6 @@ export class Late extends Error {
         this.within = within;
     }
 }
-const PATIENCE_MS = 15000;
 
 /** The library of the packed bytes of the first part; `rest` is the address of the other, or its packed bytes. */
 export async function instantiateParts(createWindrow, first, rest, description) {
@@ -58,7 +57,7 @@ export async function instantiateParts(createWindrow, first, rest, description) 
         load(false);
         return bytes;
     };
-    return {library, load, fetchRest};
+    return {library, load, fetchRest, isWhole: () => whole};
 }
 
 // Within a call, which cannot wait in another way.
@@ -66,7 +65,7 @@ function fetchNow(address) {
     const request = new XMLHttpRequest();
     request.open("GET", address, false);
     request.responseType = "arraybuffer";
-    request.timeout = PATIENCE_MS;
+    request.timeout = patience();
     try {
         request.send();
     } catch {

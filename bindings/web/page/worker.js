@@ -8,7 +8,7 @@ let library = null;
 let parts = null; // of its module
 let source = null; // of its parts: wasm, rest
 let begun = null; // what the air was loaded of
-let broken = false; // a call of the module was left half done
+let broken = ""; // why a call of the module was left half done
 let air = null;
 let grass = null; // of the scene's plants: blade class, springs
 let scenery = null; // of the scene's trees and coats: blocks
@@ -112,7 +112,8 @@ function view({units, sampling, want = {}}) {
 }
 
 const calls = {
-    async begin({wasm, rest}) {
+    async begin({wasm, rest, patience}) {
+        self.windrowPatience = patience;
         source = {wasm, rest};
         parts = await instantiateParts(createWindrow, wasm, rest, INTERFACE);
         library = parts.library;
@@ -150,7 +151,7 @@ const calls = {
             library = parts.library;
             parts.load();
             air = null;
-            broken = false;
+            broken = "";
             if (begun) await calls.load({...begun, frames});
         }
         if (!air) return [{}];
@@ -159,7 +160,7 @@ const calls = {
     },
     async frame({units, events, begins, sampling, want}) {
         if (!events.every(([kind]) => FIRST_EVENTS.has(kind))) await parts.fetchRest();
-        if (begins) air.snapshot();
+        if (begins && parts.isWhole()) air.snapshot(); // the rest has it, and undo
         const start = performance.now();
         const faults = air.frame(units, events);
         const ms = performance.now() - start;
@@ -187,12 +188,12 @@ const calls = {
 onmessage = async ({data}) => {
     const {call, number, ...values} = data;
     try {
-        if (broken && call !== "again") throw new Late("a part of the page is missing");
+        if (broken && call !== "again") throw new Late(broken);
         const [answered, transfer = []] = await calls[call](values);
         postMessage({did: call, number, ...answered}, transfer);
     } catch (fault) {
         const late = fault instanceof Late;
-        if (late && fault.within) broken = true;
-        postMessage({did: "fault", call, number, late, broken, text: fault.message ?? String(fault)});
+        if (late && fault.within) broken = fault.message;
+        postMessage({did: "fault", call, number, late, broken: broken !== "", text: fault.message ?? String(fault)});
     }
 };
