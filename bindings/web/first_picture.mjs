@@ -14,15 +14,19 @@ async function ask(call, values = {}) {
     const answer = answers.pop();
     if (answer.did !== call) throw new Error(answer.text);
 }
-const frame = (events, units = 4) => ask("frame", {units, events, want: {sleep: true}});
+const frame = (events, units) => ask("frame", {units, events, want: {sleep: true}});
 
 const bytes = fs.readFileSync(wasm);
 await ask("begin", {wasm: bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)});
-await ask("load", {text: fs.readFileSync(scene, "utf8"), plants: {plant: "GRASS"}});
-for (let n = 0; n < 12; ++n) await frame(n % 4 === 0 ? [["stroke", 1, 20 * n, 40, 0]] : []);
-await frame([["release", 1], ["blast", 100, 50, 0]]);
-for (let n = 0; n < 12; ++n) await frame([]);
-await frame([], 24); // of a slow machine, with several ticks
+// A quick machine's frames, then a slow one's with several ticks each, and what lies between.
+for (const units of [[4], [24], [1, 8, 13, 16, 24]]) {
+    let n = 0;
+    const next = (events) => frame(events, units[n++ % units.length]);
+    await ask("load", {text: fs.readFileSync(scene, "utf8"), plants: {plant: "GRASS"}});
+    for (let k = 0; k < 12; ++k) await next(k % 4 === 0 ? [["stroke", 1, 20 * k, 40, 0]] : []);
+    await next([["release", 1], ["blast", 100, 50, 0]]);
+    for (let k = 0; k < 12; ++k) await next([]);
+}
 
 const module = vm.runInThisContext("library.module");
 const size = 1 << 17;
