@@ -1,4 +1,4 @@
-// A stroke in the page as an animated WebP: film.mjs BUILD OUT.webp [--scene TITLE] [--size 480x270] [--quality 2].
+// A stroke in the page as an animated WebP: film.mjs BUILD OUT.webp [--scene TITLE] [--camera JSON] [--size 480x270] [--quality 2].
 //
 // The page's own loop stops; each frame is a step of 1/15 s with the events of a hand, so that a slow machine makes the same film. The
 // ring is where the finger is. Debian's webp has img2webp.
@@ -8,7 +8,8 @@ import os from "node:os";
 import path from "node:path";
 import {drawn, launch, open, serve} from "./browser.mjs";
 
-const FPS = 15, SECONDS = 3.6, BEGIN = 0.4, STROKE = 1.3, REACH = 2.3;
+const FPS = 15, SECONDS = 3.6, BEGIN = 0.4, STROKE = 1.3, REACH = 1.9;
+const CAMERA = '{"target": [-0.6, 0.4, 2.1], "distance": 5.2, "yaw": 62, "pitch": 15}';
 const [build, out, ...rest] = process.argv.slice(2);
 const option = (name, other) => (rest.includes(name) ? rest[rest.indexOf(name) + 1] : other);
 const [width, height] = option("--size", "480x270").split("x").map(Number);
@@ -25,22 +26,23 @@ function handAt(t) {
 try {
     const {tab, messages} = await open(browser, `${address}?quality=${option("--quality", "2")}`, {width, height});
     await drawn(tab, 600000);
-    await tab.evaluate(async (title) => {
+    await tab.evaluate(async ([title, camera]) => {
         const page = window.windrow;
         const wanted = page.scenes.findIndex((scene) => scene.title === title);
         if (wanted < 0) throw new Error(`no scene is named '${title}'`);
         if (wanted !== page.index) await page.load(wanted);
+        Object.assign(page.camera, camera);
         page.tick = () => {}; // from here on by hand
         while (page.busy) await new Promise((resolve) => setTimeout(resolve, 20));
         page.film = Object.assign(document.createElement("canvas"), {width: page.canvas.clientWidth, height: page.canvas.clientHeight});
-    }, option("--scene", "Lawn"));
+    }, [option("--scene", "Fan and stone"), JSON.parse(option("--camera", CAMERA))]);
     const frames = [];
     for (let n = -FPS; n < FPS * SECONDS; ++n) { // a second before, for springs that begin
         const picture = await tab.evaluate(async ([across, ends, units, seconds]) => {
             const page = window.windrow, [right, toward] = page.ways();
             let at = null;
             if (across !== null) {
-                const [x, , z] = page.camera.target.map((value, k) => value + across * right[k] + 0.6 * toward[k]);
+                const [x, , z] = page.camera.target.map((value, k) => value + across * right[k] + 0.9 * toward[k]);
                 at = [x, page.handHeight(x, z, 0.45), z];
                 page.send(["stroke", 1, ...at.map((value) => Math.round(100 * value))], false);
             } else if (ends) page.send(["release", 1], false);

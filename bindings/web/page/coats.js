@@ -5,7 +5,7 @@ import {unit} from "./gl.js";
 const SKIN_ROW = 64;         // vertices in a row of their textures
 const MOST_SPOTS = 24;
 const BLOCK_FLOATS = 4 * (4 + 6 + 2 + 8 + 1 + 4 * MOST_SPOTS);
-const LAYERS = [12, 16, 24, 48, 96]; // that each quality draws at most
+const LAYERS = [12, 16, 20, 32, 96]; // that each quality draws at most
 
 // Defaults as vegetation/fur has them (coat_settings.h, strand_field.h).
 const STRANDS = {density: 100, low: 0.4, high: 1, thickness: 1, bow: 0, bow_turns: 0.25, tuft: 0, tuft_size: 6, seed: 0};
@@ -71,7 +71,7 @@ export class Coats {
         const {device} = this, {gl} = device;
         gl.disable(gl.DEPTH_TEST);
         for (const body of this.bodies) {
-            this.fill(body, this.layers(body, quality), quality > 1);
+            this.fill(body, this.layers(body, quality), quality > 2);
             device.use("strands", {...shared, skin_places: body.mesh.skin});
             gl.bindFramebuffer(gl.FRAMEBUFFER, body.target);
             gl.viewport(0, 0, SKIN_ROW, body.mesh.rows);
@@ -83,7 +83,7 @@ export class Coats {
         const {device} = this, {gl} = device;
         for (const body of this.bodies) {
             const layers = this.layers(body, quality);
-            this.fill(body, layers, quality > 1);
+            this.fill(body, layers, quality > 2);
             const uniforms = device.use("coat", {...shared, strand_bend: body.textures[0], strand_own: body.textures[1]});
             gl.uniformMatrix4fv(uniforms.camera, false, camera);
             gl.uniform1i(uniforms.depth_alone, Number(shadow));

@@ -78,6 +78,7 @@ class Page {
         const button = Object.assign(document.createElement("button"), {textContent: "Try again"});
         button.addEventListener("click", () => {
             this.say("Loading ...");
+            this.canvas.focus({preventScroll: true}); // the button goes
             retry().catch((fault) => this.missing(fault, retry));
         });
         find("says").append(" ", button);
