@@ -37,6 +37,10 @@ WINDROW_C_API void windrow_scene_destroy(windrow_scene* scene);
 /* Its wind, which takes all calls of wind.h, motors.h and obstacles.h but its own end, its own time and windrow_wind_shift_origin: the
    scene places what it has by its own numbers. It is the scene's. */
 WINDROW_C_API windrow_wind* windrow_scene_wind(windrow_scene* scene);
+/* The number of winds around that (`air.outer`), and one by its place, 0 the nearest; null where there is none. They are the scene's too,
+   and take the same calls. To save all as winds of the host's own, save each and load the outermost first (windrow_wind_load_inside). */
+WINDROW_C_API int32_t windrow_scene_outer_count(const windrow_scene* scene);
+WINDROW_C_API windrow_wind* windrow_scene_outer_wind(windrow_scene* scene, int32_t place);
 
 /* Writes a wind as a scene file that `windrow run` and windrow_scene_load play: its settings, motors, obstacles and drag as they are now,
    from time 0 on. The air of this moment is not in it (windrow_wind_save). Its wind is one that was created so, to the bit; bodies that
@@ -67,8 +71,8 @@ WINDROW_C_API windrow_result windrow_scene_obstacle(const windrow_scene* scene, 
 
 /* The clock and the air as bytes. */
 WINDROW_C_API windrow_result windrow_scene_save(const windrow_scene* scene, windrow_bytes** bytes);
-/* Goes on from there, in a scene of the same file. Handles of its motors and obstacles stay good; arrays of its wind do not, and a
-   recording ends. */
+/* Goes on from there, in a scene of the same file. Handles of its motors, obstacles and winds stay good; arrays of its winds do not, and
+   recordings end. */
 WINDROW_C_API windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size);
 
 #ifdef __cplusplus

@@ -76,6 +76,12 @@ WINDROW_C_API windrow_result windrow_vulkan_frame_init(windrow_vulkan_frame* fra
 WINDROW_C_API windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,
                                                                 const windrow_vulkan_settings* settings, uint64_t* memory,
                                                                 uint64_t* reserved);
+/* The same inside a wind on the CPU. */
+WINDROW_C_API windrow_result windrow_vulkan_wind_required_bytes_inside(const windrow_vulkan_host* host,
+                                                                       const windrow_config* config,
+                                                                       const windrow_vulkan_settings* settings,
+                                                                       const windrow_wind* outer, uint64_t* memory,
+                                                                       uint64_t* reserved);
 WINDROW_C_API windrow_result windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config,
                                                         const windrow_vulkan_settings* settings, windrow_wind** wind);
 /* Inside a wind on the CPU: windrow_wind_create_inside. The host samples `outer` for each tick, and uploads 16 bytes for each cell of

@@ -108,6 +108,17 @@ SceneAir::State SceneAir::state_of_begin() const {
     return state;
 }
 
+SceneAir::State SceneAir::State::unowned() const {
+    State state = *this;
+    for (MovedMotor& motor : state.motors)
+        motor.id = motor.id.unowned();
+    for (ObstacleId& id : state.obstacles)
+        id = id.unowned();
+    for (MotorId& id : state.wakes)
+        id = id.unowned();
+    return state;
+}
+
 void SceneAir::take_appended() {
     state_.motors.resize(scene_->motors.size());
     state_.obstacles.resize(scene_->obstacles.size());
@@ -122,7 +133,7 @@ Result<void> SceneAir::begin(WindControl& wind) {
     if (!scene_->outer.empty() && !levels_played_)
         return Error{message(scene_->file.string(),
                              ": $.air.outer is a wind around the box, which is not played here: use windrow "
-                             "run or windrow-draw, or remove it.")};
+                             "run, windrow view or windrow-draw, or remove it.")};
     state_ = state_of_begin();
     if (auto placed = place_box(wind, 0.0); !placed)
         return placed;
@@ -276,10 +287,16 @@ Error SceneAir::rejection(const char* key, double time, const std::string& why) 
 }
 
 Result<void> SceneAir::place_motors(Motors& motors, double end) {
-    for (std::size_t i = 0; i < scene_->motors.size(); ++i)
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
+        MovedMotor& part = state_.motors[i];
+        Result<void> placed;
         if (width_of(scene_->motors[i].motor) > least_)
-            if (const auto placed = place_motor(motors, scene_->motors[i], state_.motors[i], end); !placed)
-                return placed.failure().after(message(scene_->file.string(), ": $.motors[", i, "]: "));
+            placed = place_motor(motors, scene_->motors[i], part, end);
+        else if (motors.find(part.id) != nullptr) // a host has made it smaller
+            placed = motors.remove(std::exchange(part, {}).id);
+        if (!placed)
+            return placed.failure().after(message(scene_->file.string(), ": $.motors[", i, "]: "));
+    }
     return {};
 }
 
@@ -301,10 +318,16 @@ Result<void> SceneAir::place_motor(Motors& motors, const SceneMotor& motor, Move
 }
 
 Result<void> SceneAir::place_obstacles(Obstacles& obstacles, double end) {
-    for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
+    for (std::size_t i = 0; i < scene_->obstacles.size(); ++i) {
+        ObstacleId& id = state_.obstacles[i];
+        Result<void> placed;
         if (width_of(scene_->obstacles[i].obstacle.shape) > least_)
-            if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], state_.obstacles[i], end); !placed)
-                return placed.failure().after(message(scene_->file.string(), ": $.obstacles[", i, "]: "));
+            placed = place_obstacle(obstacles, scene_->obstacles[i], id, end);
+        else if (id != ObstacleId{}) // as above
+            placed = obstacles.remove(std::exchange(id, {}));
+        if (!placed)
+            return placed.failure().after(message(scene_->file.string(), ": $.obstacles[", i, "]: "));
+    }
     return {};
 }
 

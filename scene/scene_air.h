@@ -108,6 +108,9 @@ class SceneAir {
         std::vector<MovedMotor> motors{};    ///< one for each of the scene's
         std::vector<ObstacleId> obstacles{}; ///< the same; none while it is not there
         std::vector<MotorId> wakes{};        ///< one for each of Scene::carried; none before it is placed
+
+        /// For a wind that was loaded: an owner is of the one that is gone.
+        [[nodiscard]] State unowned() const;
     };
     [[nodiscard]] const State& state() const { return state_; }
     /// Goes on where `state` was returned, with the wind of that moment. What was appended to the scene since then comes again.

@@ -3,6 +3,7 @@
 #include "fluid/core/message.h"
 #include "fluid/saved_parts.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -78,12 +79,12 @@ void advance(Wind& wind, double dt) {
 
 } // namespace
 
-Result<void> SceneLevels::advance_to(double end) {
+Result<void> SceneLevels::advance_to(double end, double longest) {
     for (Level& level : levels_) {
         const double begin = level.air.time();
         if (auto placed = level.air.advance_to(*level.wind, end); !placed)
             return placed;
-        advance(*level.wind, end - begin);
+        advance(*level.wind, std::min(end - begin, longest));
     }
     return {};
 }
@@ -126,13 +127,41 @@ Result<SceneLevels> SceneLevels::load(const Scene& scene, const ParallelFor& thr
         return Error{message("the levels that were saved are ", parts->size() / 2, ", and ", scene.file.string(), " has ",
                              scene.outer.size(), ": load them with the scene that they were saved with.")};
     for (std::size_t n = 0; n < scene.outer.size(); ++n) {
-        auto wind = Wind::load((*parts)[2 * n].bytes, threads, made.nearest());
+        SceneAir air(scene, scene.outer.size() - 1 - n);
+        if (auto loaded = air.load((*parts)[2 * n + 1].bytes); !loaded)
+            return loaded.failure();
+        if (auto added = made.add((*parts)[2 * n].bytes, threads, std::move(air)); !added)
+            return added.failure();
+    }
+    return made;
+}
+
+Result<void> SceneLevels::add(std::span<const std::byte> bytes, const ParallelFor& threads, SceneAir air) {
+    auto wind = Wind::load(bytes, threads, nearest());
+    if (!wind)
+        return wind.failure();
+    levels_.push_back({std::make_shared<Wind>(*std::move(wind)), std::move(air)});
+    return {};
+}
+
+Result<std::vector<SceneLevels::Kept>> SceneLevels::keep() const {
+    std::vector<Kept> kept;
+    for (const Level& level : levels_) {
+        auto wind = level.wind->save();
         if (!wind)
             return wind.failure();
-        Level level{std::make_shared<Wind>(*std::move(wind)), SceneAir(scene, scene.outer.size() - 1 - n)};
-        if (auto loaded = level.air.load((*parts)[2 * n + 1].bytes); !loaded)
-            return loaded.failure();
-        made.levels_.push_back(std::move(level));
+        kept.push_back({*std::move(wind), level.air.state()});
+    }
+    return kept;
+}
+
+Result<SceneLevels> SceneLevels::restore(const Scene& scene, const ParallelFor& threads, std::span<const Kept> kept) {
+    SceneLevels made(scene);
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+        SceneAir air(scene, kept.size() - 1 - n);
+        air.restore(kept[n].air.unowned());
+        if (auto added = made.add(kept[n].wind, threads, std::move(air)); !added)
+            return added.failure();
     }
     return made;
 }

@@ -159,6 +159,8 @@ windrow_result own_windrow_vulkan_wind_record_step(windrow_wind* wind, void* com
 windrow_result own_windrow_vulkan_wind_reported(windrow_wind* wind, windrow_diagnostics* diagnostics);
 windrow_result own_windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config, const
     windrow_vulkan_settings* settings, uint64_t* memory, uint64_t* reserved);
+windrow_result own_windrow_vulkan_wind_required_bytes_inside(const windrow_vulkan_host* host, const windrow_config* config, const
+    windrow_vulkan_settings* settings, const windrow_wind* outer, uint64_t* memory, uint64_t* reserved);
 windrow_result own_windrow_wake_motor_init(windrow_wake_motor* motor, uint32_t struct_size);
 windrow_result own_windrow_wind_add_belt_drag(windrow_wind* wind, const windrow_belt_drag* belt, windrow_drag_id* id);
 windrow_result own_windrow_wind_add_directional(windrow_wind* wind, const windrow_directional_motor* motor, windrow_motor_id* id);

@@ -337,6 +337,13 @@ WINDROW_EXPORT windrow_result windrow_vulkan_wind_required_bytes(const windrow_v
     return turned<Same>(own_windrow_vulkan_wind_required_bytes, same(host), in_array<Whole>(config, 1), in_array<Whole>(settings,
         1), same(memory), same(reserved));
 }
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_required_bytes_inside(const windrow_vulkan_host* host, const windrow_config*
+    config, const windrow_vulkan_settings* settings, const windrow_wind* outer, uint64_t* memory, uint64_t* reserved) {
+    if (!host_axes.turned) [[likely]]
+        return own_windrow_vulkan_wind_required_bytes_inside(host, config, settings, outer, memory, reserved);
+    return turned<Same>(own_windrow_vulkan_wind_required_bytes_inside, same(host), in_array<Whole>(config, 1),
+        in_array<Whole>(settings, 1), same(outer), same(memory), same(reserved));
+}
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_create(const windrow_vulkan_host* host, const windrow_config* config, const
     windrow_vulkan_settings* settings, windrow_wind** wind) {
     if (!host_axes.turned) [[likely]]

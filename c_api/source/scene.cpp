@@ -16,9 +16,24 @@
 #include <memory>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 using namespace windrow;
 using namespace windrow::c_api;
+
+namespace windrow::c_api {
+
+/// A handle of a wind around a scene's, which another takes the place of when the scene goes back.
+struct WindAround final : windrow_wind {
+    void hold(Wind& wind, std::shared_ptr<const Wind> its_owner) {
+        control = cpu = &wind;
+        reader = &wind;
+        shared = std::move(its_owner);
+    }
+    long uses = 0; ///< of it, without those of the host
+};
+
+} // namespace windrow::c_api
 
 struct windrow_scene {
     std::unique_ptr<const scene::Scene> scene; ///< stays where it is: the air refers to it
@@ -26,6 +41,7 @@ struct windrow_scene {
     scene::SceneAir air;
     WindOf<Wind> wind;
     ParallelFor parallel_for{};
+    std::vector<std::unique_ptr<WindAround>> around{}; ///< handles of the levels, from the nearest out
 };
 
 namespace {
@@ -33,6 +49,24 @@ namespace {
 constexpr const char* k_clock = "scene";
 constexpr const char* k_wind = "wind";
 constexpr const char* k_levels = "levels"; // none in scenes without
+
+/// The handles name the levels of now.
+void name_levels(windrow_scene& scene) {
+    const Wind* inner = &scene.wind.air;
+    for (std::size_t place = 0; place < scene.around.size(); ++place) {
+        WindAround& around = *scene.around[place];
+        around.hold(scene.levels.wind(scene.levels.size() - 1 - place), inner->outer());
+        around.uses = around.shared.use_count();
+        inner = around.cpu;
+    }
+}
+
+/// Whether a wind of the host is inside one that is gone when the scene goes back.
+bool is_around_others(const windrow_scene& scene) {
+    return scene.wind.owned.use_count() > 2 || // its own two
+           std::any_of(scene.around.begin(), scene.around.end(),
+                       [](const auto& one) { return one->shared.use_count() > one->uses; });
+}
 
 /// Begins the air of a scene.
 windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* parallel_for, windrow_scene** out) {
@@ -55,6 +89,9 @@ windrow_result begin(Result<scene::Scene> read, const windrow_parallel_for* para
         std::move(scene), *std::move(levels), scene::SceneAir::within(there), WindOf<Wind>(*std::move(wind)), threads});
     if (const auto begun = made->air.begin(made->wind.air); !begun)
         return done(begun);
+    for (std::size_t n = 0; n < made->levels.size(); ++n)
+        made->around.push_back(std::make_unique<WindAround>());
+    name_levels(*made);
     *out = made.release();
     return WINDROW_OK;
 }
@@ -112,6 +149,15 @@ WINDROW_EXPORT void windrow_scene_destroy(windrow_scene* scene) {
 WINDROW_EXPORT windrow_wind* windrow_scene_wind(windrow_scene* scene) {
     return value_of(scene, "scene", [&]() -> windrow_wind* { return &scene->wind; });
 }
+WINDROW_EXPORT int32_t windrow_scene_outer_count(const windrow_scene* scene) {
+    return value_of(scene, "scene", [&] { return static_cast<std::int32_t>(scene->around.size()); });
+}
+WINDROW_EXPORT windrow_wind* windrow_scene_outer_wind(windrow_scene* scene, int32_t place) {
+    return value_of(scene, "scene", [&]() -> windrow_wind* {
+        const auto at = static_cast<std::size_t>(place);
+        return place >= 0 && at < scene->around.size() ? scene->around[at].get() : nullptr;
+    });
+}
 
 WINDROW_EXPORT windrow_result windrow_scene_step(windrow_scene* scene, windrow_diagnostics* diagnostics) {
     return call({{scene, "scene"}}, [&]() -> windrow_result {
@@ -132,7 +178,8 @@ WINDROW_EXPORT windrow_result windrow_scene_advance(windrow_scene* scene, double
             return fail(WINDROW_REJECTED, detail::message("dt is ", dt, " s: give a finite time of 0 or more."));
         if (const windrow_result outcome = check_output(advance); outcome != WINDROW_OK)
             return outcome;
-        if (const auto around = scene->levels.advance_to(scene->air.time() + dt); !around)
+        const Ticks& ticks = scene->wind.air.config().ticks;
+        if (const auto around = scene->levels.advance_to(scene->air.time() + dt, ticks.max_per_call / ticks.hz); !around)
             return done(around);
         if (const auto placed = scene->air.advance_to(scene->wind.air, scene->air.time() + dt); !placed)
             return done(placed);
@@ -193,7 +240,7 @@ WINDROW_EXPORT windrow_result windrow_scene_save(const windrow_scene* scene, win
 }
 WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const void* bytes, uint64_t size) {
     return call({{scene, "scene"}, {bytes, "bytes"}}, [&]() -> windrow_result {
-        if (scene->wind.owned.use_count() > 2) // its own two; others would be around a wind that is gone
+        if (is_around_others(*scene))
             return fail(WINDROW_REJECTED,
                         "a wind of the host is inside the scene's wind: destroy it before the scene goes back.");
         const auto parts = split_parts({static_cast<const std::byte*>(bytes), static_cast<std::size_t>(size)});
@@ -215,6 +262,7 @@ WINDROW_EXPORT windrow_result windrow_scene_restore(windrow_scene* scene, const 
             return done(placed);
         scene->wind.air = *std::move(wind);
         scene->levels = *std::move(levels);
+        name_levels(*scene);
         return WINDROW_OK;
     });
 }

@@ -134,6 +134,19 @@ class Settings(unittest.TestCase):
         self.assertIn("outer", sentence_of(self, lambda: windrow.Wind(inside, outer="wind")))
         self.assertIn("levels", sentence_of(self, lambda: windrow.Wind(windrow.Config(ambient=(1, 0, 0)), outer=wind)))
 
+    def test_the_winds_around_that_of_a_scene(self):
+        scene = windrow.Scene("nested.json", text='''{"duration": 1,
+            "air": {"cells": [10, 6, 10], "ambient": [3, 0, 0], "outer": {"cells": [12, 5, 12], "cell_size": 3}},
+            "motors": [{"kind": "omni", "position": [-9, 0, 0], "radius": 4}]}''')
+        self.assertEqual([one.box.cell_size for one in scene.outer], [3])
+        for _ in range(8):
+            scene.step()
+        self.assertEqual(scene.wind.velocity((-9, 1, 2)), scene.outer[0].velocity((-9, 1, 2)))
+        self.assertGreater(np.abs(scene.outer[0].field()[..., 0] - 3).max(), 0.5)  # the motor is in it
+        again = pickle.loads(pickle.dumps(scene.wind))  # with the wind around it
+        self.assertTrue(np.array_equal(again.field(), scene.wind.field()))
+        self.assertEqual(windrow.Scene("alone.json", text="{}").outer, ())
+
 
 def numbers_of(struct):
     """What a struct holds, without its pointers."""

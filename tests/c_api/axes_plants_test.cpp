@@ -319,6 +319,11 @@ void device_story(const Host& host, Record& record, windrow_vulkan_device* devic
     config.cells = host.cells(16, 8, 12);
     config.cell_size = host.single(1.0);
     config.ambient = {};
+    std::uint64_t alone = 0;
+    WINDROW_AXES_OK(windrow_vulkan_wind_required_bytes(&from, &config, &settings, &alone, &reserved));
+    WINDROW_AXES_OK(windrow_vulkan_wind_required_bytes_inside(&from, &config, &settings, outer, &memory, &reserved));
+    EXPECT_GE(memory, alone + 32u * 16u * 8u * 12u); // for each cell of the box, and of its halo
+    record.number("memory inside", static_cast<double>(memory));
     WINDROW_AXES_OK(windrow_vulkan_wind_create_inside(&from, &config, &settings, outer, &what.wind));
     what.ticks = false;
     what.frame.dt = 0.0625;

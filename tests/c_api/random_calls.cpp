@@ -33,6 +33,7 @@ namespace windrow::test {
 constexpr int k_calls_a_story = 400;
 // Where the process ends, it says in which call.
 char g_where[200] = "before the first call\n";
+long g_inside = 0; // winds that were loaded again inside another
 
 void say_where() {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, g_where, std::strlen(g_where));
@@ -380,49 +381,15 @@ void World::must_heal(windrow_wind* wind) {
             fail("air that is no number after ten steps");
     const std::string bytes = saved(wind);
     windrow_wind* again = nullptr;
-    const bool own = windrow_wind_load(bytes.data(), bytes.size(), {}, &again) == WINDROW_OK;
-    if (!own && !std::strstr(windrow_last_error(), "saved with an outer wind"))
+    bool own = windrow_wind_load(bytes.data(), bytes.size(), {}, &again) == WINDROW_OK;
+    const bool inside = !own && std::strstr(windrow_last_error(), "saved with an outer wind");
+    for (windrow_wind* const around : std::get<std::vector<windrow_wind*>>(pools_))
+        if (inside && !own) // that one, or the one around has ended
+            own = windrow_wind_load_inside(bytes.data(), bytes.size(), {}, around, &again) == WINDROW_OK;
+    g_inside += inside && own;
+    if (!own && !inside)
         fail(std::string("own bytes are rejected: ") + windrow_last_error());
     windrow_wind_destroy(again);
-}
-
-/// What most calls need: a form of each kind, a pool, a log, a wind.
-void World::begin() {
-    windrow_config config;
-    (void)windrow_config_init(&config, sizeof config);
-    config.cells = {10, 6, 8};
-    config.ambient = {3.0f, 0.0f, 1.0f};
-    windrow_wind* wind = nullptr;
-    (void)windrow_wind_create(&config, &wind);
-    keep(wind);
-    const windrow_vec3 corners[] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
-    const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    windrow_mesh* mesh = nullptr;
-    (void)windrow_mesh_create(corners, 4, triangles, 4, &mesh);
-    keep(mesh);
-    const std::uint8_t closed[] = {1, 0, 1, 1, 0, 1, 1, 1};
-    windrow_voxels* voxels = nullptr;
-    (void)windrow_voxels_create({2, 2, 2}, closed, 8, &voxels);
-    keep(voxels);
-    const float heights[] = {0.0f, 1.0f, .5f, -1.0f, 0.0f, 2.0f};
-    windrow_height_map* map = nullptr;
-    (void)windrow_height_map_create({3, 2}, 4.0f, heights, 6, &map);
-    keep(map);
-    const std::uint8_t open[] = {0, 0, 0, 1, 0, 0};
-    (void)windrow_height_map_create_with_holes({3, 2}, 4.0f, heights, 6, {3, 2}, open, 6, &map);
-    keep(map);
-    windrow_thread_pool* pool = nullptr;
-    (void)windrow_thread_pool_create(2, &pool);
-    keep(pool);
-    windrow_workspace* work = nullptr;
-    (void)windrow_workspace_create(&config, &work);
-    keep(work);
-    constexpr std::string_view k_scene = R"({"duration": 1, "air": {"cells": [8, 6, 8], "ambient": [2, 0, 0]},
-        "motors": [{"name": "fan", "kind": "directional"}], "obstacles": [{"name": "house", "shape": {"block": {}}}]})";
-    windrow_scene* scene = nullptr;
-    if (windrow_scene_parse(k_scene.data(), k_scene.size(), "story.json", nullptr, &scene) != WINDROW_OK)
-        fail(std::string("the scene: ") + windrow_last_error());
-    keep(scene);
 }
 
 World::~World() {
@@ -495,6 +462,6 @@ int main(int count, char** arguments) {
         }
         std::snprintf(g_where, sizeof g_where, "at the end of the story %u\n", seed);
     }
-    std::printf("%ld calls, %ld of them with a result that worked\n", made, good);
-    return 0;
+    std::printf("%ld calls, %ld of them with a result that worked, %ld winds loaded inside another\n", made, good, g_inside);
+    return calls < 20'000 || g_inside > 0 ? 0 : 1;
 }

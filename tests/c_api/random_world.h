@@ -19,6 +19,8 @@
 
 namespace windrow::test {
 
+[[noreturn]] void fail(const std::string& what);
+
 class World {
   public:
     World(std::uint32_t seed, std::filesystem::path folder) : random_(seed), folder_(std::move(folder)) {}
@@ -172,5 +174,54 @@ class World {
                std::vector<windrow_tree*>, std::vector<windrow_workspace*>, std::vector<windrow_scene*>>
         pools_;
 };
+
+/// What most calls need: a form of each kind, a pool, a log, a wind.
+inline void World::begin() {
+    windrow_config config;
+    (void)windrow_config_init(&config, sizeof config);
+    config.cells = {10, 6, 8};
+    config.ambient = {3.0f, 0.0f, 1.0f};
+    windrow_wind* wind = nullptr;
+    (void)windrow_wind_create(&config, &wind);
+    keep(wind);
+    windrow_config within = config;
+    within.cells = {5, 4, 4};
+    within.ambient = {};
+    windrow_wind* inner = nullptr;
+    windrow_bytes* saved_inner = nullptr;
+    if (windrow_wind_create_inside(&within, wind, &inner) != WINDROW_OK || windrow_wind_save(inner, &saved_inner) != WINDROW_OK)
+        fail(std::string("a wind inside another: ") + windrow_last_error());
+    keep(inner);
+    keep(saved_inner);
+    const windrow_vec3 corners[] = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+    const std::uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    windrow_mesh* mesh = nullptr;
+    (void)windrow_mesh_create(corners, 4, triangles, 4, &mesh);
+    keep(mesh);
+    const std::uint8_t closed[] = {1, 0, 1, 1, 0, 1, 1, 1};
+    windrow_voxels* voxels = nullptr;
+    (void)windrow_voxels_create({2, 2, 2}, closed, 8, &voxels);
+    keep(voxels);
+    const float heights[] = {0.0f, 1.0f, .5f, -1.0f, 0.0f, 2.0f};
+    windrow_height_map* map = nullptr;
+    (void)windrow_height_map_create({3, 2}, 4.0f, heights, 6, &map);
+    keep(map);
+    const std::uint8_t open[] = {0, 0, 0, 1, 0, 0};
+    (void)windrow_height_map_create_with_holes({3, 2}, 4.0f, heights, 6, {3, 2}, open, 6, &map);
+    keep(map);
+    windrow_thread_pool* pool = nullptr;
+    (void)windrow_thread_pool_create(2, &pool);
+    keep(pool);
+    windrow_workspace* work = nullptr;
+    (void)windrow_workspace_create(&config, &work);
+    keep(work);
+    constexpr std::string_view k_scene =
+        R"({"duration": 1, "air": {"cells": [8, 6, 8], "ambient": [2, 0, 0], "outer": {"cells": [8, 5, 8], "cell_size": 3}},
+        "motors": [{"name": "fan", "kind": "directional"}], "obstacles": [{"name": "house", "shape": {"block": {}}}]})";
+    windrow_scene* scene = nullptr;
+    if (windrow_scene_parse(k_scene.data(), k_scene.size(), "story.json", nullptr, &scene) != WINDROW_OK)
+        fail(std::string("the scene: ") + windrow_last_error());
+    keep(scene);
+}
 
 } // namespace windrow::test

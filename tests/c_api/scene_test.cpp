@@ -106,6 +106,68 @@ TEST(SceneInC, GoesOnWhereItWasSaved) {
     EXPECT_EQ(windrow_scene_restore(empty.get(), file.data(), file.size() - 1), WINDROW_REJECTED);
 }
 
+// A handle that names the level of before the scene went back has other air.
+TEST(SceneInC, GivesTheWindsAroundItsOwn) {
+    std::string text(k_text);
+    const std::string_view air = R"("air": {)";
+    text.insert(text.find(air) + air.size(), R"("outer": {"cells": [12, 5, 12], "cell_size": 3, "outer": {"cell_size": 6}}, )");
+    const PlayedScene scene = parsed(text);
+    ASSERT_EQ(windrow_scene_outer_count(scene.get()), 2);
+    windrow_wind* const nearest = windrow_scene_outer_wind(scene.get(), 0);
+    EXPECT_EQ(windrow_scene_outer_wind(scene.get(), 2), nullptr);
+    EXPECT_EQ(windrow_scene_outer_wind(scene.get(), -1), nullptr);
+    EXPECT_EQ(windrow_scene_outer_count(parsed(k_text).get()), 0);
+    const auto size_of_cells = [](const windrow_wind* wind) {
+        windrow_box box;
+        EXPECT_EQ(windrow_box_init(&box, sizeof box), WINDROW_OK);
+        EXPECT_EQ(windrow_wind_box(wind, &box), WINDROW_OK);
+        return box.cell_size;
+    };
+    EXPECT_EQ(size_of_cells(nearest), 3.0f);
+    EXPECT_EQ(size_of_cells(windrow_scene_outer_wind(scene.get(), 1)), 6.0f);
+
+    const auto bytes_of = [](const windrow_wind* wind) {
+        windrow_bytes* bytes = nullptr;
+        EXPECT_EQ(windrow_wind_save(wind, &bytes), WINDROW_OK);
+        std::string copy(reinterpret_cast<const char*>(windrow_bytes_data(bytes)), windrow_bytes_size(bytes));
+        windrow_bytes_destroy(bytes);
+        return copy;
+    };
+    for (int step = 0; step < 12; ++step)
+        ASSERT_EQ(windrow_scene_step(scene.get(), nullptr), WINDROW_OK);
+    // All of them as winds of the host's own.
+    windrow_wind *far = nullptr, *near = nullptr, *own = nullptr;
+    const std::string far_bytes = bytes_of(windrow_scene_outer_wind(scene.get(), 1)), near_bytes = bytes_of(nearest),
+                      own_bytes = bytes_of(windrow_scene_wind(scene.get()));
+    EXPECT_EQ(windrow_wind_load(far_bytes.data(), far_bytes.size(), nullptr, &far), WINDROW_OK) << windrow_last_error();
+    EXPECT_EQ(windrow_wind_load_inside(near_bytes.data(), near_bytes.size(), nullptr, far, &near), WINDROW_OK);
+    EXPECT_EQ(windrow_wind_load_inside(own_bytes.data(), own_bytes.size(), nullptr, near, &own), WINDROW_OK);
+    EXPECT_EQ(bytes_of(own), own_bytes);
+
+    windrow_bytes* saved = nullptr;
+    ASSERT_EQ(windrow_scene_save(scene.get(), &saved), WINDROW_OK);
+    for (int step = 0; step < 12; ++step)
+        ASSERT_EQ(windrow_scene_step(scene.get(), nullptr), WINDROW_OK);
+    EXPECT_NE(bytes_of(nearest), near_bytes);
+    const auto restore = [&] { return windrow_scene_restore(scene.get(), windrow_bytes_data(saved), windrow_bytes_size(saved)); };
+    windrow_wind* inside = nullptr;
+    windrow_config config;
+    ASSERT_EQ(windrow_config_init(&config, sizeof config), WINDROW_OK);
+    config.cells = {4, 4, 4};
+    config.centre = {-3.0, 2.0, 0.0};
+    ASSERT_EQ(windrow_wind_create_inside(&config, nearest, &inside), WINDROW_OK) << windrow_last_error();
+    EXPECT_EQ(restore(), WINDROW_REJECTED);
+    windrow_wind_destroy(inside);
+    ASSERT_EQ(restore(), WINDROW_OK) << windrow_last_error();
+    EXPECT_EQ(windrow_scene_outer_wind(scene.get(), 0), nearest);
+    EXPECT_EQ(bytes_of(nearest), near_bytes);
+    EXPECT_EQ(restore(), WINDROW_OK) << windrow_last_error(); // no use of it is counted twice
+    EXPECT_EQ(windrow_scene_advance(scene.get(), 1e8, nullptr), WINDROW_OK); // at once: the levels drop what the box drops
+    windrow_bytes_destroy(saved);
+    for (windrow_wind* const wind : {own, near, far})
+        windrow_wind_destroy(wind);
+}
+
 TEST(SceneInC, AWindIsWrittenAsASceneThatPlaysItToTheBit) {
     windrow_config config;
     ASSERT_EQ(windrow_config_init(&config, sizeof config), WINDROW_OK);

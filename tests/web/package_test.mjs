@@ -34,12 +34,26 @@ for (const simd of [true, false]) {
 }
 let sentence = "";
 try { new Wind(await load(), {cell_size: -1}); } catch (fault) { sentence = fault.message; }
-console.log(JSON.stringify({speeds, sentence, glsl: windrow_wind_glsl.includes("vec3 windrow_velocity(vec3 p)")}));
+const library = await load(), floor = {y_low: {kind: "free_slip"}};
+const outer = new Wind(library, {cells: [24, 8, 24], cell_size: 2, ambient: [3, 0, 0], boundaries: floor});
+outer.add("jet", {position: [-9, 2, 0], direction: [1, 0, 0], law: {kind: "drive", speed: 12, rate: 8}, start_radius: 2, end_radius: 3, length: 8});
+const inner = new Wind(library, {cells: [10, 6, 10], boundaries: floor}, {outer});
+for (let frame = 0; frame < 90; ++frame) for (const wind of [outer, inner]) wind.advance(1 / 60);
+const inside = inner.velocity([-2, 2, 0])[0], beyond = inner.velocity([-9, 2, 0])[0] - outer.velocity([-9, 2, 0])[0];
+let levels = "";
+try { new Wind(library, {ambient: [1, 0, 0]}, {outer}); } catch (fault) { levels = fault.message; }
+outer.destroy();
+inner.advance(1 / 60); // which keeps what is around it
+inner.destroy();
+console.log(JSON.stringify({speeds, sentence, inside, beyond, levels, glsl: windrow_wind_glsl.includes("vec3 windrow_velocity(vec3 p)")}));
 `);
 const found = JSON.parse(run("node", "try.mjs"));
 claim(found.speeds[0][0] > 4, `a fan blows ${found.speeds[0][0].toFixed(2)} m/s, more than the wind's 3`);
 claim(JSON.stringify(found.speeds[0]) === JSON.stringify(found.speeds[1]), "both forms have the same bits");
 claim(/cell_size is -1/.test(found.sentence), `a wrong setting is thrown: ${found.sentence}`);
+claim(found.inside > 4.5, `the fan of the wind around blows ${found.inside.toFixed(2)} m/s in a box without one`);
+claim(Math.abs(found.beyond) < 1e-5, "beyond its box a wind has the one around");
+claim(/outer wind/.test(found.levels), `a mean wind beside an outer one is thrown: ${found.levels}`);
 claim(found.glsl, "the shader's text is there");
 
 const {server, address} = await serve(path.join(project, "node_modules"));

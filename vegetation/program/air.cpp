@@ -45,16 +45,17 @@ Result<Air> Air::create(engine::Device& device, Config config, const AirSettings
     return wind ? Result<Air>(Air(*std::move(wind))) : wind.failure();
 }
 
-Result<Air> Air::load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings) {
+Result<Air> Air::load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings,
+                      const std::shared_ptr<const Wind>& outer) {
     if (on_cpu(device, settings)) {
         auto threads = std::make_unique<ThreadPool>();
-        auto wind = Wind::load(bytes, threads->parallel_for());
+        auto wind = Wind::load(bytes, threads->parallel_for(), outer);
         if (!wind)
             return wind.failure();
         auto shown = engine::CpuWind::create(device, *std::move(wind));
         return shown ? Result<Air>(Air(std::move(threads), *std::move(shown))) : shown.failure();
     }
-    auto wind = windrow::vulkan::Wind::load(device.host(), bytes, device_settings(settings));
+    auto wind = windrow::vulkan::Wind::load(device.host(), bytes, device_settings(settings), outer);
     return wind ? Result<Air>(Air(*std::move(wind))) : wind.failure();
 }
 

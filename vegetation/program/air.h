@@ -31,7 +31,9 @@ class Air {
     [[nodiscard]] static Result<Air> create(engine::Device& device, Config config, const AirSettings& settings,
                                             const std::shared_ptr<const Wind>& outer = {});
     /// Air that goes on from what `save` or Wind::save returned, on either solver. Rejects what their `load` rejects.
-    [[nodiscard]] static Result<Air> load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings);
+    /// `outer`: as `create` takes it.
+    [[nodiscard]] static Result<Air> load(engine::Device& device, std::span<const std::byte> bytes, const AirSettings& settings,
+                                          const std::shared_ptr<const Wind>& outer = {});
     /// The whole state as bytes, as Wind::save returns them. Of a wind on the device it submits a frame and waits for it.
     [[nodiscard]] Result<std::vector<std::byte>> save(engine::Frames& frames);
 

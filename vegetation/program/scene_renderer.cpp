@@ -55,12 +55,7 @@ Result<void> SceneRenderer::make() {
         air.gusts.tile = windrow::GustTile::standard(); // the pattern of the detail, where no gusts bring one
     }
     if (settings_.wind && !scene_.air.outer.empty()) {
-        if (settings_.edited)
-            return Error{
-                "$.air.outer is a wind around the box, which `windrow view` does not play: use windrow run or windrow-draw, "
-                "or remove it."};
-        level_threads_ = std::make_unique<ThreadPool>();
-        auto levels = windrow::scene::SceneLevels::create(scene_.air, level_threads_->parallel_for());
+        auto levels = windrow::scene::SceneLevels::create(scene_.air, level_threads());
         if (!levels)
             return levels.failure();
         levels_.emplace(*std::move(levels));
@@ -116,6 +111,12 @@ AirSettings SceneRenderer::air_settings() const {
             .queries = asked,
             .forces = settings_.edited ? k_forces : 0,
             .gusts = settings_.edited};
+}
+
+ParallelFor SceneRenderer::level_threads() {
+    if (!level_threads_)
+        level_threads_ = std::make_unique<ThreadPool>();
+    return level_threads_->parallel_for();
 }
 
 Result<void> SceneRenderer::make_ground_memory() {

@@ -112,6 +112,12 @@ class SceneRenderer {
     /// What its own air was made with.
     [[nodiscard]] AirSettings air_settings() const;
     [[nodiscard]] windrow::scene::SceneAir& scene_air() { return scene_air_; }
+    /// The winds around its own; null: none.
+    [[nodiscard]] windrow::scene::SceneLevels* levels() { return levels_ ? &*levels_ : nullptr; }
+    /// Others, for the air that is taken next. Nothing is in flight.
+    void take_levels(windrow::scene::SceneLevels levels) { levels_ = std::move(levels); }
+    /// Threads of the winds around; they begin with the first call.
+    [[nodiscard]] ParallelFor level_threads();
 
     /// Frames so far.
     [[nodiscard]] std::int64_t frame() const { return frame_; }

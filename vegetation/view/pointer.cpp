@@ -241,6 +241,11 @@ void draw_overlay(Desk& desk) {
                     list.AddText({pixel->x + 6.0f, pixel->y - 6.0f}, colour, words.data(), words.data() + words.size());
             }};
     debug_draw(desk.session.wind(), desk.session.reader(), desk.overlay, sink);
+    for (std::size_t place = 0; place < desk.session.levels(); ++place) {
+        const Wind& around = desk.session.level(place);
+        debug_draw(around, around,
+                   {.box = desk.overlay.box, .blend_zone = desk.overlay.blend_zone, .motors = false, .obstacles = false}, sink);
+    }
     if (desk.overlay.motors) // those that do not act now
         for (std::size_t n = 0; n < desk.session.motors().size(); ++n)
             if (!desk.session.removed_motor(n) && !desk.session.motors()[n].path && !desk.session.acts(n))

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace windrow::vegetation::view {
@@ -81,7 +82,10 @@ Result<void> Session::reload() {
         return done;
     if (settings_.draft)
         make_draft(fresh->picture);
-    std::swap(scene_, fresh);
+    auto player = make_player(*fresh);
+    if (!player)
+        return player.failure();
+    std::swap(scene_, fresh); // the old one ends after its player
     const auto count = [&](const char* key) { return document.contains(key) ? document[key].size() : std::size_t{0}; };
     motors_read_ = count("motors");
     obstacles_read_ = count("obstacles");
@@ -89,19 +93,15 @@ Result<void> Session::reload() {
     motor_changed_.assign(motors_read_, false);
     obstacle_changed_.assign(scene_->air.obstacles.size(), false);
     motor_removed_ = motor_of_moment_ = motor_changed_;
-    stroke_.reset();
     obstacle_removed_ = obstacle_changed_;
     document_ = std::move(document);
     air_read_ = scene_->air.air;
-    auto before = std::move(player_); // ends after the new one is made, whose pipelines it shares
-    auto begun = begin();
-    before.reset();
-    return begun;
+    return begin(*std::move(player));
 }
 
 Result<void> Session::restart() {
     // What was added is there from the start; what was removed is gone, and keeps its place in the file's list without ever coming.
-    const std::vector<bool> timed = std::exchange(motor_of_moment_, {});
+    auto settled = std::make_unique<program::PictureScene>(*scene_);
     const auto settle = [&](auto& list, std::size_t first_added, std::vector<bool>& removed, std::vector<bool>& changed,
                             const std::vector<bool>& keeps_time) {
         for (std::size_t n = list.size(); n-- > 0;) {
@@ -117,30 +117,40 @@ Result<void> Session::restart() {
             }
         }
     };
-    for (std::size_t n = 0; n < timed.size(); ++n)
+    std::vector<bool> timed;
+    for (std::size_t n = 0; n < motor_of_moment_.size(); ++n)
         if (n < motors_read_ || !motor_removed_[n])
-            motor_of_moment_.push_back(timed[n]);
-    stroke_.reset();
-    settle(scene_->air.motors, motors_read_, motor_removed_, motor_changed_, timed);
-    settle(scene_->air.obstacles, obstacles_read_ + hills_, obstacle_removed_, obstacle_changed_, {});
-    auto before = std::move(player_); // ends after the new one is made, whose pipelines it shares
-    auto begun = begin();
-    before.reset();
-    return begun;
-}
-
-Result<void> Session::begin() {
-    auto player = program::SceneRenderer::create(*scene_, {.size = settings_.size,
-                                                           .samples = settings_.draft ? 1 : 4,
-                                                           .backend = settings_.backend,
-                                                           .max_blades = {},
-                                                           .device = &device_,
-                                                           .draft = settings_.draft,
-                                                           .edited = true});
+            timed.push_back(motor_of_moment_[n]);
+    auto motors = std::pair(motor_removed_, motor_changed_), obstacles = std::pair(obstacle_removed_, obstacle_changed_);
+    settle(settled->air.motors, motors_read_, motors.first, motors.second, motor_of_moment_);
+    settle(settled->air.obstacles, obstacles_read_ + hills_, obstacles.first, obstacles.second, {});
+    auto player = make_player(*settled);
     if (!player)
         return player.failure();
-    player_ = *std::move(player);
+    std::swap(scene_, settled); // the old one ends after its player
+    motor_of_moment_ = std::move(timed);
+    std::tie(motor_removed_, motor_changed_) = std::move(motors);
+    std::tie(obstacle_removed_, obstacle_changed_) = std::move(obstacles);
+    return begin(*std::move(player));
+}
+
+Result<std::unique_ptr<program::SceneRenderer>> Session::make_player(program::PictureScene& scene) const {
+    if (recording_)
+        scene.air.outer.clear(); // they come with its snapshots
+    return program::SceneRenderer::create(scene, {.size = settings_.size,
+                                                  .samples = settings_.draft ? 1 : 4,
+                                                  .backend = settings_.backend,
+                                                  .max_blades = {},
+                                                  .device = &device_,
+                                                  .draft = settings_.draft,
+                                                  .edited = true});
+}
+
+Result<void> Session::begin(std::unique_ptr<program::SceneRenderer> player) {
+    const auto before = std::exchange(player_, std::move(player)); // it ends after the new one is made, whose pipelines it shares
     segments_.clear();
+    rewound_.clear();
+    stroke_.reset();
     owed_ = shown_ = latest_ = chased_ = 0.0;
     waits_ = false;
     return recording_ ? begin_recording() : begin_segment();
@@ -148,50 +158,93 @@ Result<void> Session::begin() {
 
 // --- Time --------------------------------------------------------------------------------------------------------------------
 
+Wind& Session::wind(std::size_t place) {
+    return place < levels() ? player_->levels()->wind(place) : *player_->air().cpu();
+}
+
+void Session::record_to(std::vector<EventLog>* logs) {
+    for (std::size_t place = 0; place < levels(); ++place)
+        wind(place).record_to(logs != nullptr ? &logs->at(place) : nullptr);
+    wind().record_to(logs != nullptr ? &logs->back() : nullptr);
+}
+
+EventLog Session::part_of(const EventLog& log, std::size_t first, std::size_t end) {
+    EventLog part;
+    for (const Event& event : log.events().subspan(first, end - first))
+        part.note(event);
+    return part;
+}
+
+Session::Marks Session::marks_of(const std::vector<EventLog>& logs) {
+    Marks marks;
+    for (std::size_t place = 0; place < logs.size(); ++place) {
+        const scene::SceneAir& air = place < levels() ? player_->levels()->air(place) : player_->scene_air();
+        marks.push_back({air.state(), logs[place].events().size()});
+    }
+    return marks;
+}
+
+std::size_t Session::Segment::bytes() const {
+    std::size_t sum = 0;
+    for (const scene::SceneLevels::Kept& one : starts)
+        sum += one.wind.size();
+    return sum;
+}
+
 Result<void> Session::begin_segment() {
-    Wind* const wind = player_->air().cpu();
-    if (wind == nullptr)
+    Wind* const own = player_->air().cpu();
+    if (own == nullptr)
         return {};
-    auto start = wind->save();
+    auto segment = std::make_unique<Segment>();
+    if (const scene::SceneLevels* const around = player_->levels()) {
+        auto kept = around->keep();
+        if (!kept)
+            return kept.failure();
+        segment->starts = *std::move(kept);
+    }
+    auto start = own->save();
     if (!start)
         return start.failure();
-    std::size_t bytes = start->size();
-    for (const auto& segment : segments_)
-        bytes += segment->start.size();
-    while (!segments_.empty() && ((!recording_ && time() - segments_.front()->state.time > k_kept) || bytes > k_most_bytes)) {
-        bytes -= segments_.front()->start.size();
+    segment->starts.push_back({*std::move(start), player_->scene_air().state()});
+    segment->logs.resize(segment->starts.size());
+    record_to(&segment->logs);
+    segments_.push_back(std::move(segment));
+    std::size_t bytes = 0;
+    for (const auto& kept : segments_)
+        bytes += kept->bytes();
+    while (segments_.size() > 1 && ((!recording_ && time() - segments_.front()->time() > k_kept) || bytes > k_most_bytes)) {
+        bytes -= segments_.front()->bytes();
         segments_.pop_front();
     }
-    auto segment = std::make_unique<Segment>();
-    segment->start = *std::move(start);
-    segment->state = player_->scene_air().state();
-    wind->record_to(&segment->log);
-    segments_.push_back(std::move(segment));
     return {};
 }
 
 Result<void> Session::step() {
-    Wind* const wind = player_->air().cpu();
+    Wind* const own = player_->air().cpu();
     const scene::FrameTimes times = times_of(scene_->air);
     const std::int64_t next = steps() + 1;
-    if (wind == nullptr) { // its frame records the step
+    if (own == nullptr) { // its frame records the step
         owed_ = std::max(owed_, 0.0) + times.length_of_step(next);
         return {};
     }
     forget_future();
-    if (time() - segments_.back()->state.time >= k_segment - 1e-9)
+    if (time() - segments_.back()->time() >= k_segment - 1e-9)
         if (auto begun = begin_segment(); !begun)
             return begun;
     if (recording_)
-        return play_recorded(*wind);
-    if (auto moved = move_hand(times.time_of_step(next)); !moved)
+        return play_recorded();
+    const double end = times.time_of_step(next);
+    if (auto moved = move_hand(end); !moved)
         return moved;
-    if (auto placed = player_->scene_air().advance_to(*wind, times.time_of_step(next)); !placed)
+    if (scene::SceneLevels* const around = player_->levels())
+        if (auto advanced = around->advance_to(end); !advanced)
+            return advanced;
+    if (auto placed = player_->scene_air().advance_to(*own, end); !placed)
         return placed;
-    if (const Diagnostics last = wind->step(times.length_of_step(next)); last.out_of_memory)
+    if (const Diagnostics last = own->step(times.length_of_step(next)); last.out_of_memory)
         return Error{"there is no memory for the air's next step; give the scene fewer cells."};
     Segment& segment = *segments_.back();
-    segment.steps.push_back({player_->scene_air().state(), segment.log.events().size()});
+    segment.steps.push_back(marks_of(segment.logs));
     latest_ = time();
     return {};
 }
@@ -228,18 +281,33 @@ Result<void> Session::play(double seconds) {
 double Session::earliest() const {
     if (recording_)
         return 0.0;
-    return segments_.empty() ? time() : segments_.front()->state.time;
+    return segments_.empty() ? time() : segments_.front()->time();
 }
 
 void Session::forget_future() {
-    while (segments_.size() > 1 && segments_.back()->state.time > time() + 1e-9)
+    while (segments_.size() > 1 && segments_.back()->time() > time() + 1e-9)
         segments_.pop_back();
     latest_ = time();
+    if (rewound_.empty())
+        return;
+    // What comes is noted behind what was played up to here, and behind what was changed here.
+    Segment& segment = *segments_.back();
+    while (!segment.steps.empty() && segment.steps.back().back().air.time > time() + 1e-9)
+        segment.steps.pop_back();
+    for (std::size_t place = 0; place < segment.logs.size(); ++place) {
+        EventLog& log = segment.logs[place];
+        EventLog whole = part_of(log, 0, segment.steps.empty() ? 0 : segment.steps.back()[place].events);
+        for (const Event& event : rewound_[place].events())
+            whole.note(event);
+        log = std::move(whole);
+    }
+    record_to(&segment.logs);
+    rewound_.clear();
 }
 
 Result<void> Session::seek(double asked) {
-    Wind* const wind = player_->air().cpu();
-    if (wind == nullptr)
+    Wind* const own = player_->air().cpu();
+    if (own == nullptr)
         return Error{"the air of a device is not kept: choose the solver on the CPU to go back in time."};
     stroke_.reset();
     chased_ = 0.0;
@@ -247,50 +315,60 @@ Result<void> Session::seek(double asked) {
         for (const Recording::Mark& mark : recording_->marks)
             if (mark.time <= asked + 1e-9)
                 chased_ = mark.time;
-    if (recording_ && asked < segments_.front()->state.time)
+    if (recording_ && asked < segments_.front()->time())
         return begin_recording();
     std::size_t at = segments_.size() - 1;
-    while (at > 0 && segments_[at]->state.time > asked + 1e-9)
+    while (at > 0 && segments_[at]->time() > asked + 1e-9)
         --at;
-    Segment& segment = *segments_[at];
+    const Segment& segment = *segments_[at];
     std::size_t count = 0;
-    while (count < segment.steps.size() && segment.steps[count].state.time <= asked + 1e-9)
+    while (count < segment.steps.size() && segment.steps[count].back().air.time <= asked + 1e-9)
         ++count;
-    auto loaded = Wind::load(segment.start, wind->config().parallel_for);
+    auto around = levels_from(segment.starts);
+    if (!around)
+        return around.failure();
+    auto loaded = Wind::load(segment.starts.back().wind, own->config().parallel_for, around->nearest());
     if (!loaded)
         return loaded.failure();
+    for (std::size_t step = 0; step < count; ++step)
+        for (std::size_t place = 0; place < segment.logs.size(); ++place) {
+            const EventLog calls = part_of(segment.logs[place], step > 0 ? segment.steps[step - 1][place].events : 0,
+                                           segment.steps[step][place].events);
+            if (auto replayed = replay(calls, place < around->size() ? around->wind(place) : *loaded); !replayed)
+                return replayed;
+        }
     if (count > 0) {
-        EventLog prefix;
-        for (const Event& event : segment.log.events().first(segment.steps[count - 1].events))
-            prefix.note(event);
-        if (auto replayed = replay(prefix, *loaded); !replayed)
-            return replayed;
         // Handles of a loaded wind are those of any other: the scene's, which an earlier wind gave.
+        auto kept = around->keep();
+        if (!kept)
+            return kept.failure();
+        for (std::size_t place = 0; place < kept->size(); ++place)
+            (*kept)[place].air = segment.steps[count - 1][place].air;
         auto bytes = loaded->save();
         if (!bytes)
             return bytes.failure();
-        loaded = Wind::load(*bytes, wind->config().parallel_for);
+        kept->push_back({*std::move(bytes), segment.steps[count - 1].back().air});
+        around = levels_from(*kept);
+        if (!around)
+            return around.failure();
+        loaded = Wind::load(kept->back().wind, own->config().parallel_for, around->nearest());
         if (!loaded)
             return loaded.failure();
     }
-    const double latest = latest_;
-    wind->record_to(nullptr);
-    *wind = *std::move(loaded);
-    restore(count > 0 ? segment.steps[count - 1].state : segment.state);
-    latest_ = latest;
+    record_to(nullptr);
+    *own = *std::move(loaded);
+    if (around->size() > 0)
+        player_->take_levels(*std::move(around));
+    player_->scene_air().restore((count > 0 ? segment.steps[count - 1].back().air : segment.starts.back().air).unowned());
+    rewound_.assign(segment.logs.size(), {});
+    record_to(&rewound_);
     owed_ = 0.0;
     return {};
 }
 
-void Session::restore(scene::SceneAir::State state) {
-    // An owner is of the wind that is gone.
-    for (auto& motor : state.motors)
-        motor.id = motor.id.unowned();
-    for (auto& id : state.obstacles)
-        id = id.unowned();
-    for (auto& id : state.wakes)
-        id = id.unowned();
-    player_->scene_air().restore(state);
+Result<scene::SceneLevels> Session::levels_from(std::span<const scene::SceneLevels::Kept> starts) {
+    const auto around = starts.first(starts.size() - 1);
+    return scene::SceneLevels::restore(scene_->air, around.empty() ? ParallelFor{} : player_->level_threads(), around);
 }
 
 Result<void> Session::record(const engine::Frame& frame, const render::Camera& camera, bool copied) {
@@ -319,137 +397,6 @@ Result<void> Session::record(const engine::Frame& frame, const render::Camera& c
         state.steps = before + whole;
         player_->scene_air().restore(state);
     }
-    return {};
-}
-
-// --- Changes -----------------------------------------------------------------------------------------------------------------
-
-bool Session::acts(std::size_t place) const {
-    return player_->air().control().motors().find(player_->scene_air().motor(place)) != nullptr;
-}
-
-bool Session::can_change_obstacle(std::size_t place) const {
-    return place < obstacles_read_ || place >= obstacles_read_ + hills_;
-}
-
-Result<void> Session::can_change() const {
-    return recording_ ? Result<void>(Error{"a recording is played as it was: open a scene to change one."}) : Result<void>{};
-}
-
-Result<void> Session::set_motor(std::size_t place, const Motor& motor) {
-    if (auto can = can_change(); !can)
-        return can;
-    if (auto valid = validate(motor); !valid)
-        return valid;
-    const MotorId id = player_->scene_air().motor(place);
-    if (wind().motors().find(id) != nullptr)
-        if (auto set = wind().motors().set(id, motor); !set)
-            return set;
-    scene_->air.motors[place].motor = motor;
-    motor_changed_[place] = true;
-    return {};
-}
-
-Result<void> Session::move_motor(std::size_t place, glm::dvec3 position) {
-    if (auto can = can_change(); !can)
-        return can;
-    const MotorId id = player_->scene_air().motor(place);
-    if (wind().motors().find(id) != nullptr)
-        if (auto moved = wind().motors().move(id, position); !moved)
-            return moved;
-    std::visit([&](auto& kind) { kind.position = position; }, scene_->air.motors[place].motor);
-    motor_changed_[place] = true;
-    return {};
-}
-
-Result<std::size_t> Session::add_motor(const Motor& motor, std::string name) {
-    if (auto can = can_change(); !can)
-        return can.failure();
-    if (auto valid = validate(motor); !valid)
-        return valid.failure();
-    const auto added = add_moment({.name = std::move(name), .motor = motor, .path = {}, .from = time()});
-    motor_of_moment_.back() = false;
-    return added;
-}
-
-Result<void> Session::remove_motor(std::size_t place) {
-    if (auto can = can_change(); !can)
-        return can;
-    const MotorId id = player_->scene_air().motor(place);
-    if (wind().motors().find(id) != nullptr)
-        if (auto removed = wind().motors().remove(id); !removed)
-            return removed;
-    scene_->air.motors[place].until = time();
-    motor_removed_[place] = true;
-    return {};
-}
-
-Result<void> Session::set_obstacle(std::size_t place, const Obstacle& obstacle) {
-    if (auto can = can_change(); !can)
-        return can;
-    if (auto valid = validate(obstacle); !valid)
-        return valid;
-    const ObstacleId id = player_->scene_air().obstacle(place);
-    if (wind().obstacles().find(id) != nullptr)
-        if (auto set = wind().obstacles().set(id, obstacle); !set)
-            return set;
-    scene_->air.obstacles[place].obstacle = obstacle;
-    obstacle_changed_[place] = true;
-    return player_->change({.obstacles = true});
-}
-
-Result<void> Session::move_obstacle(std::size_t place, glm::dvec3 position, glm::quat orientation) {
-    if (auto can = can_change(); !can)
-        return can;
-    const ObstacleId id = player_->scene_air().obstacle(place);
-    if (wind().obstacles().find(id) != nullptr)
-        if (auto moved = wind().obstacles().move(id, position, orientation); !moved)
-            return moved;
-    scene_->air.obstacles[place].obstacle.position = position;
-    scene_->air.obstacles[place].obstacle.orientation = orientation;
-    obstacle_changed_[place] = true;
-    return {};
-}
-
-Result<std::size_t> Session::add_obstacle(const Obstacle& obstacle, std::string name) {
-    if (auto can = can_change(); !can)
-        return can.failure();
-    if (auto valid = validate(obstacle); !valid)
-        return valid.failure();
-    scene_->air.obstacles.push_back({.name = std::move(name), .obstacle = obstacle, .path = {}, .turn_path = {}, .from = time()});
-    obstacle_changed_.push_back(true);
-    obstacle_removed_.push_back(false);
-    player_->scene_air().take_appended();
-    if (auto changed = player_->change({.obstacles = true}); !changed)
-        return changed.failure();
-    return scene_->air.obstacles.size() - 1;
-}
-
-Result<void> Session::remove_obstacle(std::size_t place) {
-    if (auto can = can_change(); !can)
-        return can;
-    scene_->air.obstacles[place].until = time(); // it leaves with the next step
-    obstacle_removed_[place] = true;
-    return {};
-}
-
-Result<void> Session::set_air(const Config& air) {
-    if (auto can = can_change(); !can)
-        return can;
-    if (auto valid = validate(air); !valid)
-        return valid;
-    const Config& now = wind().config();
-    if (air.ambient != now.ambient)
-        if (auto set = wind().set_ambient(air.ambient); !set)
-            return set;
-    if (air.gusts.intensity != now.gusts.intensity || air.gusts.length != now.gusts.length || air.gusts.seed != now.gusts.seed) {
-        Gusts gusts = air.gusts;
-        gusts.tile = now.gusts.tile;
-        if (auto set = wind().set_gusts(gusts); !set)
-            return set;
-    }
-    waits_ = true;
-    scene_->air.air = air;
     return {};
 }
 

@@ -7,7 +7,7 @@
 //     (void)(*session)->save("meadow_edited.json");
 //
 // On the CPU the steps are those of `windrow run`, to the same bits. Each second of the last minute is kept as a snapshot, and all
-// calls after it as an event log: seeking loads the one and replays the other. A motor or obstacle that is added comes at that
+// calls after it as an event log: seeking loads the one and replays the other. Winds around the box have snapshots and logs too. A motor or obstacle that is added comes at that
 // moment and one that is removed ends then, so the past stays as it was; a saved scene has it from its beginning.
 #pragma once
 
@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -46,6 +47,9 @@ class Session {
     [[nodiscard]] program::SceneRenderer& player() { return *player_; }
     [[nodiscard]] WindControl& wind() { return player_->air().control(); }
     [[nodiscard]] const WindReader& reader() const { return player_->air().reader(); }
+    /// The winds around the box, from the outermost in: so many, which are on the CPU with either solver.
+    [[nodiscard]] std::size_t levels() const { return player_->levels() != nullptr ? player_->levels()->size() : 0; }
+    [[nodiscard]] Wind& level(std::size_t place) { return player_->levels()->wind(place); }
     [[nodiscard]] const SessionSettings& settings() const { return settings_; }
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
@@ -63,9 +67,9 @@ class Session {
     [[nodiscard]] double latest() const { return recording_ ? recording_->marks.back().time : latest_; }
     /// The last step at or before a moment from earliest() to latest(). The next step forgets what was after it.
     Result<void> seek(double time);
-    /// From time 0, with all that was changed.
+    /// From time 0, with all that was changed. Where the air is rejected nothing changes.
     Result<void> restart();
-    /// Reads the file again and begins with it; where it is rejected nothing changes.
+    /// Reads the file again and begins with it. Where either is rejected nothing changes.
     Result<void> reload();
 
     // --- The solver ------------------------------------------------------------------------------------------------------------
@@ -140,20 +144,26 @@ class Session {
     // --- Files -------------------------------------------------------------------------------------------------------------------
     /// The scene with all changes, from its beginning. It names the same files, and belongs into the same folder.
     Result<void> save(const std::filesystem::path& file) const;
-    /// Of the minute that is kept: start.wind (Wind::save), events.log (EventLog), scene.json, into a folder that exists.
+    /// Of the minute that is kept: start.wind (Wind::save), events.log (EventLog), scene.json, into a folder that exists. The wind
+    /// around the box is outer_1.wind and outer_1.log, the one around that outer_2.
     Result<void> save_log(const std::filesystem::path& folder) const;
 
   private:
-    /// A snapshot, and all that came after it until the next one.
+    /// Where a wind is at the end of a step: the scene in it, and the events of its log so far.
+    struct Mark {
+        scene::SceneAir::State air{};
+        std::size_t events = 0;
+    };
+    /// Of each wind, from the outermost in: the box is the last.
+    using Marks = std::vector<Mark>;
+    /// Snapshots of these, and all that came after them until the next ones.
     struct Segment {
-        std::vector<std::byte> start{};
-        scene::SceneAir::State state{}; ///< there
-        EventLog log{};
-        struct Step {
-            scene::SceneAir::State state{};
-            std::size_t events = 0; ///< so far
-        };
-        std::vector<Step> steps{};
+        std::vector<scene::SceneLevels::Kept> starts{};
+        std::vector<EventLog> logs{};
+        std::vector<Marks> steps{};
+
+        [[nodiscard]] double time() const { return starts.back().air.time; }
+        [[nodiscard]] std::size_t bytes() const;
     };
 
     /// A stroke of the hand that is under way.
@@ -165,26 +175,45 @@ class Session {
         std::vector<std::size_t> paths{}; ///< its teeth; empty: it has not begun
         std::size_t motor = 0;
     };
-    /// A log of a host's calls, and where each of its steps ends.
+    /// The files of a log: of the box, and of the wind so many levels around it.
+    struct RecordedFiles {
+        RecordedFiles(const std::filesystem::path& folder, std::size_t around);
+        std::filesystem::path start, log;
+    };
+    /// Logs of a host's calls, of each wind as above, and where each step of the box ends.
     struct Recording {
-        std::vector<std::byte> start{};
-        EventLog log{};
+        std::vector<std::vector<std::byte>> starts{};
+        std::vector<EventLog> logs{};
+        std::vector<scene::SceneLevel> levels{}; ///< as Scene::outer has them
         struct Mark {
-            double time = 0.0;      ///< [s]
-            std::size_t events = 0; ///< so far
+            double time = 0.0;                 ///< [s]
+            std::vector<std::size_t> events{}; ///< of each log so far
         };
         std::vector<Mark> marks{}; ///< of no step, then of each
+        [[nodiscard]] static std::vector<Mark> marks_of(std::span<const EventLog> logs);
     };
 
     Session(engine::Device& device, std::filesystem::path file, const SessionSettings& settings)
         : device_(device), file_(std::move(file)), settings_(settings) {}
     Result<void> read(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document);
-    Result<void> begin();
+    [[nodiscard]] Result<std::unique_ptr<program::SceneRenderer>> make_player(program::PictureScene& scene) const;
+    Result<void> begin(std::unique_ptr<program::SceneRenderer> player);
     Result<void> begin_segment();
     void forget_future();
+    /// On the CPU: of a place as in Marks.
+    [[nodiscard]] Wind& wind(std::size_t place);
+    /// From now on, one for each wind; null: none.
+    void record_to(std::vector<EventLog>* logs);
+    [[nodiscard]] Marks marks_of(const std::vector<EventLog>& logs);
+    /// Events from one to before another.
+    [[nodiscard]] static EventLog part_of(const EventLog& log, std::size_t first, std::size_t end);
+    /// The winds around the box, whose own snapshot is the last.
+    [[nodiscard]] Result<scene::SceneLevels> levels_from(std::span<const scene::SceneLevels::Kept> starts);
     /// The same moment in an air that goes on from a snapshot.
     Result<void> go_on(std::span<const std::byte> bytes, program::Backend backend);
-    void restore(scene::SceneAir::State state);
+    /// A change of the air in each wind that has what it changes.
+    Result<void> in_each(const std::function<Result<void>(WindControl&, scene::SceneAir&)>& change);
+    void take_appended();
     [[nodiscard]] std::int64_t step_at(double time) const;
     Result<void> begin_teeth();
     /// The hand is at its place at the end of the coming steps.
@@ -193,7 +222,7 @@ class Session {
     [[nodiscard]] Result<void> can_change() const;
     Result<void> read_recording(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document);
     Result<void> begin_recording();
-    Result<void> play_recorded(Wind& wind);
+    Result<void> play_recorded();
     [[nodiscard]] nlohmann::json motor_json(std::size_t place) const;
     [[nodiscard]] nlohmann::json obstacle_json(std::size_t place) const;
 
@@ -213,9 +242,10 @@ class Session {
     int strokes_made_ = 0;
     std::unique_ptr<program::SceneRenderer> player_{};
     std::deque<std::unique_ptr<Segment>> segments_{};
-    double owed_ = 0.0;   ///< [s] to be played
-    double shown_ = 0.0;  ///< [s] of the frame before
-    double latest_ = 0.0; ///< [s]
+    std::vector<EventLog> rewound_{}; ///< what was changed since `seek`, of each wind; empty after the next step
+    double owed_ = 0.0;               ///< [s] to be played
+    double shown_ = 0.0;              ///< [s] of the frame before
+    double latest_ = 0.0;             ///< [s]
     bool waits_ = false;
 };
 

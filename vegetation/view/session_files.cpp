@@ -4,10 +4,12 @@
 #include "vegetation/view/session.h"
 
 #include <string_view>
+#include <system_error>
 
 namespace windrow::vegetation::view {
 namespace {
 
+using detail::message;
 using nlohmann::json;
 using scene::write_object;
 using scene::write_value;
@@ -49,6 +51,10 @@ json air_json(const Config& air) {
 }
 
 } // namespace
+
+Session::RecordedFiles::RecordedFiles(const std::filesystem::path& folder, std::size_t around)
+    : start(folder / (around > 0 ? message("outer_", around, ".wind") : "start.wind")),
+      log(folder / (around > 0 ? message("outer_", around, ".log") : "events.log")) {}
 
 json Session::motor_json(std::size_t place) const {
     const scene::SceneMotor& motor = scene_->air.motors[place];
@@ -126,17 +132,26 @@ Result<void> Session::save(const std::filesystem::path& file) const {
 Result<void> Session::save_log(const std::filesystem::path& folder) const {
     if (segments_.empty())
         return Error{"the air of a device is not kept: choose the solver on the CPU to save a log."};
-    EventLog whole;
-    for (const auto& segment : segments_)
-        for (const Event& event : segment->log.events())
-            whole.note(event);
-    const auto bytes = whole.to_bytes();
-    if (!bytes)
-        return bytes.failure();
-    if (auto written = write_bytes("snapshot", folder / "start.wind", segments_.front()->start); !written)
-        return written;
-    if (auto written = write_bytes("log", folder / "events.log", *bytes); !written)
-        return written;
+    for (std::size_t place = 0; place <= levels(); ++place) {
+        EventLog whole;
+        for (const auto& segment : segments_)
+            for (const Event& event : segment->logs[place].events())
+                whole.note(event);
+        const auto bytes = whole.to_bytes();
+        if (!bytes)
+            return bytes.failure();
+        const RecordedFiles files(folder, levels() - place);
+        if (auto written = write_bytes("snapshot", files.start, segments_.front()->starts[place].wind); !written)
+            return written;
+        if (auto written = write_bytes("log", files.log, *bytes); !written)
+            return written;
+    }
+    // Of an earlier log: a reader would take it for one more wind around these.
+    const RecordedFiles beyond(folder, levels() + 1);
+    std::error_code error;
+    std::filesystem::remove(beyond.start, error);
+    if (error)
+        return Error{message(beyond.start.string(), " cannot be removed, and belongs to another log: ", error.message(), ".")};
     return save(folder / "scene.json");
 }
 

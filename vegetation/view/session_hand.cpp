@@ -42,7 +42,7 @@ Result<std::size_t> Session::add_moment(scene::SceneMotor motor) {
     motor_changed_.push_back(true);
     motor_removed_.push_back(false);
     motor_of_moment_.push_back(true);
-    player_->scene_air().take_appended();
+    take_appended();
     return scene_->air.motors.size() - 1;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -23,6 +24,14 @@ Result<std::string> bytes_of(const std::filesystem::path& file) {
 
 std::span<const std::byte> as_bytes(const std::string& text) {
     return std::as_bytes(std::span(text));
+}
+
+/// [s] By which a call goes on; 0 of any other.
+double step_of(const Event& event) {
+    if (const auto* const stepped = std::get_if<Stepped>(&event))
+        return stepped->dt;
+    const auto* const advanced = std::get_if<Advanced>(&event);
+    return advanced != nullptr ? advanced->dt : 0.0;
 }
 
 /// A level meadow around a box of air.
@@ -43,39 +52,45 @@ nlohmann::json plain_scene(const std::string& name, const Config& air, const Box
 Result<void> Session::read_recording(std::unique_ptr<program::PictureScene>& made, nlohmann::json& document) {
     const std::filesystem::path folder = std::filesystem::is_directory(file_) ? file_ : file_.parent_path();
     const std::filesystem::path log_file = std::filesystem::is_directory(file_) ? folder / "events.log" : file_;
-    const auto log_bytes = bytes_of(log_file);
-    if (!log_bytes)
-        return log_bytes.failure();
-    auto log = EventLog::from_bytes(as_bytes(*log_bytes));
-    if (!log)
-        return log.failure().after(log_file.string() + " is no recording: ");
-    const auto start = bytes_of(folder / "start.wind");
-    if (!start)
-        return Error{message(start.error(), " A recording needs start.wind beside its log: the bytes of Wind::save.")};
-    auto wind = Wind::load(as_bytes(*start));
-    if (!wind)
-        return wind.failure().after((folder / "start.wind").string() + ": ");
-
+    std::size_t around = 0;
+    std::error_code none;
+    while (std::filesystem::exists(RecordedFiles(folder, around + 1).start, none))
+        ++around;
     Recording recording;
-    recording.start.assign(as_bytes(*start).begin(), as_bytes(*start).end());
-    recording.marks.push_back({});
-    const std::span<const Event> events = log->events();
-    for (std::size_t n = 0; n < events.size(); ++n) {
-        double dt = 0.0;
-        if (const auto* const stepped = std::get_if<Stepped>(&events[n]))
-            dt = stepped->dt;
-        else if (const auto* const advanced = std::get_if<Advanced>(&events[n]))
-            dt = advanced->dt;
-        if (dt > 0.0)
-            recording.marks.push_back({recording.marks.back().time + dt, n + 1});
+    std::shared_ptr<Wind> wind;
+    for (std::size_t left = around + 1; left > 0; --left) { // from the outermost in
+        RecordedFiles files(folder, left - 1);
+        if (left == 1)
+            files.log = log_file;
+        const auto log_bytes = bytes_of(files.log);
+        if (!log_bytes)
+            return log_bytes.failure();
+        auto log = EventLog::from_bytes(as_bytes(*log_bytes));
+        if (!log)
+            return log.failure().after(files.log.string() + " is no recording: ");
+        const auto start = bytes_of(files.start);
+        if (!start)
+            return Error{message(start.error(), " A recording needs start.wind beside its log: the bytes of Wind::save.")};
+        auto loaded = Wind::load(as_bytes(*start), {}, wind);
+        if (!loaded)
+            return loaded.failure().after(files.start.string() + ": ");
+        wind = std::make_shared<Wind>(*std::move(loaded));
+        const Config& config = wind->config();
+        if (left > 1)
+            recording.levels.insert(recording.levels.begin(), {.cells = config.cells,
+                                                               .cell_size = config.cell_size,
+                                                               .rows = config.rows,
+                                                               .blend_width = config.blend_width,
+                                                               .ticks = config.ticks});
+        recording.starts.emplace_back(as_bytes(*start).begin(), as_bytes(*start).end());
+        recording.logs.push_back(*std::move(log));
     }
+    recording.marks = Recording::marks_of(recording.logs);
     if (recording.marks.size() < 2)
         return Error{message(log_file.string(), " has no step: record a host that calls step or advance.")};
-    recording.log = *std::move(log);
 
     // Its surroundings: those of the scene beside it, or a level meadow.
     const std::filesystem::path beside = folder / "scene.json";
-    std::error_code none;
     const bool has_scene = std::filesystem::exists(beside, none);
     std::string text = plain_scene(log_file.stem().string(), wind->config(), wind->box(), wind->origin()).dump();
     if (has_scene) {
@@ -98,6 +113,7 @@ Result<void> Session::read_recording(std::unique_ptr<program::PictureScene>& mad
     air.planted.clear();
     air.carried.clear();
     air.follow = std::monostate{};
+    air.outer.clear();
     air.floor = wind->config().floor;
     air.duration = recording.marks.back().time;
     document = *std::move(parsed);
@@ -109,35 +125,71 @@ Result<void> Session::read_recording(std::unique_ptr<program::PictureScene>& mad
     return {};
 }
 
+// A wind around the box has made all steps that begin before that of the box ends.
+std::vector<Session::Recording::Mark> Session::Recording::marks_of(std::span<const EventLog> logs) {
+    std::vector<Mark> made{{0.0, std::vector<std::size_t>(logs.size(), 0)}};
+    std::vector<double> around(logs.size() - 1, 0.0); // [s] so far
+    const std::span<const Event> own = logs.back().events();
+    for (std::size_t n = 0; n < own.size(); ++n) {
+        const double dt = step_of(own[n]);
+        if (!(dt > 0.0))
+            continue;
+        Mark mark = made.back();
+        mark.time += dt;
+        mark.events.back() = n + 1;
+        for (std::size_t place = 0; place < around.size(); ++place) {
+            const std::span<const Event> events = logs[place].events();
+            for (std::size_t next = mark.events[place]; next < events.size() && around[place] < mark.time - 1e-9; ++next)
+                if (const double step = step_of(events[next]); step > 0.0) {
+                    around[place] += step;
+                    mark.events[place] = next + 1;
+                }
+        }
+        made.push_back(std::move(mark));
+    }
+    return made;
+}
+
 Result<void> Session::begin_recording() {
-    wind().record_to(nullptr);
+    record_to(nullptr);
     segments_.clear();
-    scene::SceneAir::State state = player_->scene_air().state();
-    state.time = 0.0;
-    state.steps = 0;
-    player_->scene_air().restore(state);
+    rewound_.clear();
+    scene_->air.outer = recording_->levels;
+    std::vector<scene::SceneLevels::Kept> starts;
+    for (std::size_t place = 0; place < recording_->starts.size(); ++place) {
+        const std::size_t around = recording_->starts.size() - 1 - place;
+        const scene::SceneAir air = around > 0 ? scene::SceneAir(scene_->air, around - 1) : scene::SceneAir::within(scene_->air);
+        starts.push_back({recording_->starts[place], air.state()});
+    }
+    auto levels = levels_from(starts);
+    if (!levels)
+        return levels.failure();
+    if (auto done = player_->frames().wait(); !done)
+        return done;
+    if (levels->size() > 0)
+        player_->take_levels(*std::move(levels));
+    player_->scene_air().restore(starts.back().air);
     shown_ = 0.0;
-    if (auto gone = go_on(recording_->start, program::Backend::cpu); !gone)
+    if (auto gone = go_on(starts.back().wind, program::Backend::cpu); !gone)
         return gone;
     return begin_segment();
 }
 
-Result<void> Session::play_recorded(Wind& wind) {
+Result<void> Session::play_recorded() {
     const auto next = static_cast<std::size_t>(steps()) + 1;
     if (next >= recording_->marks.size())
         return {};
-    EventLog calls;
-    const std::size_t first = recording_->marks[next - 1].events;
-    for (const Event& event : recording_->log.events().subspan(first, recording_->marks[next].events - first))
-        calls.note(event);
-    if (auto replayed = replay(calls, wind); !replayed)
-        return replayed.failure().after(message("at ", recording_->marks[next - 1].time, " s: "));
+    const Recording::Mark &before = recording_->marks[next - 1], &after = recording_->marks[next];
+    for (std::size_t place = 0; place < recording_->logs.size(); ++place)
+        if (auto replayed = replay(part_of(recording_->logs[place], before.events[place], after.events[place]), wind(place));
+            !replayed)
+            return replayed.failure().after(message("at ", before.time, " s: "));
     scene::SceneAir::State state = player_->scene_air().state();
-    state.time = recording_->marks[next].time;
+    state.time = after.time;
     state.steps = static_cast<std::int64_t>(next);
     player_->scene_air().restore(state);
     Segment& segment = *segments_.back();
-    segment.steps.push_back({state, segment.log.events().size()});
+    segment.steps.push_back(marks_of(segment.logs));
     latest_ = time();
     return {};
 }

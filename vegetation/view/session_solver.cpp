@@ -14,8 +14,11 @@ using program::Air;
 using program::Backend;
 
 /// So many ticks, and, of a device, the frames until the last has been read back.
-Result<void> advance_alone(Air& air, engine::Frames& frames, int ticks, double tick) {
+Result<void> advance_alone(Air& air, scene::SceneLevels& around, engine::Frames& frames, int ticks, double tick) {
     for (int n = 0; n < ticks + engine::k_frames_in_flight; ++n) {
+        if (n < ticks)
+            if (auto passed = around.pass(tick); !passed)
+                return passed;
         const auto frame = frames.begin();
         if (!frame)
             return frame.failure();
@@ -35,12 +38,11 @@ Result<void> Session::go_on(std::span<const std::byte> bytes, Backend backend) {
         return done;
     program::AirSettings settings = player_->air_settings();
     settings.backend = backend;
-    auto air = Air::load(device_, bytes, settings);
+    auto air = Air::load(device_, bytes, settings, player_->levels() != nullptr ? player_->levels()->nearest() : nullptr);
     if (!air)
         return air.failure();
-    const auto state = player_->scene_air().state();
     player_->take_air(*std::move(air));
-    restore(state);
+    player_->scene_air().restore(player_->scene_air().state().unowned());
     owed_ = 0.0;
     return {};
 }
@@ -69,12 +71,13 @@ Result<void> Session::set_solver(Backend backend) {
     const auto bytes = player_->air().save(player_->frames());
     if (!bytes)
         return bytes.failure();
-    // The log of what was kept is written no more, wherever this ends.
-    wind().record_to(nullptr);
+    // The logs of what was kept are written no more, wherever this ends.
+    record_to(nullptr);
     if (auto gone = go_on(*bytes, backend); !gone)
         return gone;
     settings_.backend = backend;
     segments_.clear();
+    rewound_.clear();
     latest_ = shown_ = time();
     scene::SceneAir::State state = player_->scene_air().state();
     state.steps = step_at(state.time);
@@ -89,14 +92,25 @@ Result<Session::Difference> Session::compare_solvers(int ticks) {
     const auto bytes = player_->air().save(frames);
     if (!bytes)
         return bytes.failure();
+    std::vector<scene::SceneLevels::Kept> starts;
+    if (const scene::SceneLevels* const around = player_->levels()) {
+        auto kept = around->keep();
+        if (!kept)
+            return kept.failure();
+        starts = *std::move(kept);
+    }
+    starts.emplace_back();
     const double tick = 1.0 / wind().config().ticks.hz;
     std::vector<glm::vec4> first;
     Difference found{.time = time(), .ticks = ticks};
     for (const Backend backend : {Backend::cpu, Backend::vulkan}) {
-        auto air = Air::load(device_, *bytes, {.backend = backend, .queries = true});
+        auto around = levels_from(starts);
+        if (!around)
+            return around.failure();
+        auto air = Air::load(device_, *bytes, {.backend = backend, .queries = true}, around->nearest());
         if (!air)
             return air.failure();
-        if (auto done = advance_alone(*air, frames, ticks, tick); !done)
+        if (auto done = advance_alone(*air, *around, frames, ticks, tick); !done)
             return done.failure();
         const auto cells = air->reader().cells();
         if (!cells)

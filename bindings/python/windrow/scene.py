@@ -19,7 +19,8 @@ class Scene:
             scene.step()
         scene.wind.velocity(leaf)
 
-    `wind` has the scene's air, and keeps it while it is used; its own `step` and `advance` would leave the scene's clock behind. A file
+    `wind` has the scene's air, and keeps it while it is used; its own `step` and `advance` would leave the scene's clock behind. `outer`
+    has the winds around it (`air.outer`), from the nearest out. A file
     needs nothing but what differs from the defaults:
 
         {"duration": 5, "air": {"ambient": [3, 0, 0]}, "motors": [{"name": "fan", "kind": "jet", "position": [0, 1, 0]}]}
@@ -36,6 +37,10 @@ class Scene:
             self._handle = Handle(lambda out: library.windrow_scene_parse(said, len(said), place, loop, out), "windrow_scene_destroy", *keeps)
         self._scene = self._handle.pointer
         self.wind = Wind._of(library.windrow_scene_wind(self._scene), self._handle)
+        count = library.windrow_scene_outer_count(self._scene)
+        self.outer = tuple(Wind._of(library.windrow_scene_outer_wind(self._scene, place), self._handle) for place in range(count))
+        for inner, around in zip((self.wind, *self.outer), self.outer):
+            inner._outer = around
 
     def step(self) -> Diagnostics:
         """One step, as `windrow run` makes it: at most a tick of the scene, so that frames are at the ends of steps."""

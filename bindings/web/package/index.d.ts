@@ -31,7 +31,8 @@ export class Library {
     bytes(name: string, ...values: unknown[]): Uint8Array;
 }
 export class Wind {
-    constructor(library: Library, config?: Config);
+    /** `outer`: a larger wind of the same library around the box, whose mean wind, profile and gusts it takes; advance it first in each frame. */
+    constructor(library: Library, config?: Config, around?: {outer?: Wind | null});
     destroy(): void;
     advance(dt: number): Advance;
     step(dt: number): Record<string, unknown>;

@@ -172,13 +172,16 @@ const POINTERS = {profile: "log_profile", gusts: "gusts", canopy: "canopy", roug
 
 /** A wind on its own; a scene's is made by `air`. */
 export class Wind {
-    constructor(library, config = {}) {
+    /** `outer`: a larger wind around the box in place of the ambient one, of the same library; advance it first in each frame. */
+    constructor(library, config = {}, {outer = null} = {}) {
         this.library = library;
         library.within(() => {
             const values = {};
             for (const [key, value] of Object.entries(config))
                 values[key] = key in POINTERS && value ? {struct: `windrow_${POINTERS[key]}`, values: value} : value;
-            this.at = library.handle("windrow_wind_create", library.make("windrow_config", values));
+            const struct = library.make("windrow_config", values);
+            this.at = outer ? library.handle("windrow_wind_create_inside", struct, outer.at)
+                : library.handle("windrow_wind_create", struct);
         });
         this.cells = Number(library.call("windrow_wind_cell_count", this.at));
         this.texels = library.module._malloc(8 * this.cells);

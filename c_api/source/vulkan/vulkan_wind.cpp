@@ -83,6 +83,22 @@ windrow_result give_list(const std::vector<From>& from, To* to, std::uint32_t* c
     return WINDROW_OK;
 }
 
+windrow_result require(const windrow_vulkan_host* host, const windrow_config* config, const windrow_vulkan_settings* settings,
+                       const Wind* outer, std::uint64_t* memory, std::uint64_t* reserved) {
+    return with(host, [&](const vulkan::Host& device) {
+        return with(config, [&](const Config& wanted) {
+            return with_settings(settings, [&](const vulkan::Settings& how) -> windrow_result {
+                const auto bytes = vulkan::required_bytes(device, wanted, how, outer);
+                if (bytes) {
+                    *memory = bytes->memory;
+                    *reserved = bytes->reserved;
+                }
+                return done(bytes);
+            });
+        });
+    });
+}
+
 windrow_result not_ready(const char* sentence) {
     return fail(WINDROW_NOT_READY, sentence);
 }
@@ -96,18 +112,17 @@ WINDROW_C_INIT(windrow_vulkan_frame)
 WINDROW_EXPORT windrow_result windrow_vulkan_wind_required_bytes(const windrow_vulkan_host* host, const windrow_config* config,
                                                                  const windrow_vulkan_settings* settings, uint64_t* memory,
                                                                  uint64_t* reserved) {
-    return call({{host, "host"}, {config, "config"}, {memory, "memory"}, {reserved, "reserved"}}, [&] {
-        return with(host, [&](const vulkan::Host& device) {
-            return with(config, [&](const Config& wanted) {
-                return with_settings(settings, [&](const vulkan::Settings& how) -> windrow_result {
-                    const auto bytes = vulkan::required_bytes(device, wanted, how);
-                    if (bytes) {
-                        *memory = bytes->memory;
-                        *reserved = bytes->reserved;
-                    }
-                    return done(bytes);
-                });
-            });
+    return call({{host, "host"}, {config, "config"}, {memory, "memory"}, {reserved, "reserved"}},
+                [&] { return require(host, config, settings, nullptr, memory, reserved); });
+}
+WINDROW_EXPORT windrow_result windrow_vulkan_wind_required_bytes_inside(const windrow_vulkan_host* host,
+                                                                        const windrow_config* config,
+                                                                        const windrow_vulkan_settings* settings,
+                                                                        const windrow_wind* outer, uint64_t* memory,
+                                                                        uint64_t* reserved) {
+    return call({{host, "host"}, {config, "config"}, {outer, "outer"}, {memory, "memory"}, {reserved, "reserved"}}, [&] {
+        return with_outer(outer, [&](const std::shared_ptr<const Wind>& around) {
+            return require(host, config, settings, around.get(), memory, reserved);
         });
     });
 }

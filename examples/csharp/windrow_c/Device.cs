@@ -281,6 +281,9 @@ namespace Windrow
         public static extern Result windrow_vulkan_wind_required_bytes(IntPtr host, IntPtr config, IntPtr settings,
             IntPtr memory, IntPtr reserved);
         [DllImport(Native.Library)]
+        public static extern Result windrow_vulkan_wind_required_bytes_inside(IntPtr host, IntPtr config,
+            IntPtr settings, IntPtr outer, IntPtr memory, IntPtr reserved);
+        [DllImport(Native.Library)]
         public static extern Result windrow_vulkan_wind_create(IntPtr host, IntPtr config, IntPtr settings, IntPtr wind);
         [DllImport(Native.Library)]
         public static extern Result windrow_vulkan_wind_create_inside(IntPtr host, IntPtr config, IntPtr settings,

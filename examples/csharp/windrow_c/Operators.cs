@@ -81,6 +81,10 @@ namespace Windrow
         [DllImport(Native.Library)]
         public static extern IntPtr windrow_scene_wind(IntPtr scene);
         [DllImport(Native.Library)]
+        public static extern int windrow_scene_outer_count(IntPtr scene);
+        [DllImport(Native.Library)]
+        public static extern IntPtr windrow_scene_outer_wind(IntPtr scene, int place);
+        [DllImport(Native.Library)]
         public static extern Result windrow_wind_write_scene(IntPtr wind,
             [MarshalAs(UnmanagedType.LPUTF8Str)] string path, double duration, double tick_hz);
         [DllImport(Native.Library)]

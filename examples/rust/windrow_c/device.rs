@@ -218,6 +218,10 @@ extern "C" {
         host: *const VulkanHost, config: *const Config, settings: *const VulkanSettings, memory: *mut u64,
         reserved: *mut u64
     ) -> ResultCode;
+    pub fn windrow_vulkan_wind_required_bytes_inside(
+        host: *const VulkanHost, config: *const Config, settings: *const VulkanSettings, outer: *const c_void,
+        memory: *mut u64, reserved: *mut u64
+    ) -> ResultCode;
     pub fn windrow_vulkan_wind_create(
         host: *const VulkanHost, config: *const Config, settings: *const VulkanSettings, wind: *mut *mut c_void
     ) -> ResultCode;

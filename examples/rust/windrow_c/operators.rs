@@ -63,6 +63,8 @@ extern "C" {
     ) -> ResultCode;
     pub fn windrow_scene_destroy(scene: *mut c_void);
     pub fn windrow_scene_wind(scene: *mut c_void) -> *mut c_void;
+    pub fn windrow_scene_outer_count(scene: *const c_void) -> i32;
+    pub fn windrow_scene_outer_wind(scene: *mut c_void, place: i32) -> *mut c_void;
     pub fn windrow_wind_write_scene(wind: *const c_void, path: *const c_char, duration: f64, tick_hz: f64) -> ResultCode;
     pub fn windrow_scene_step(scene: *mut c_void, diagnostics: *mut Diagnostics) -> ResultCode;
     pub fn windrow_scene_advance(scene: *mut c_void, dt: f64, advance: *mut Advance) -> ResultCode;

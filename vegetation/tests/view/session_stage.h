@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/wind.h"
+#include "scene/scene_levels.h"
 #include "scene/scene_reader.h"
 #include "tests/own_folder.h"
 #include "vegetation/view/session.h"
@@ -56,10 +57,13 @@ class SessionTest : public testing::Test {
         EXPECT_TRUE(scene) << scene.error();
         if (!scene)
             return {};
-        auto wind = Wind::create(scene->air);
-        scene::SceneAir air(*scene);
+        auto levels = scene::SceneLevels::create(*scene, {});
+        EXPECT_TRUE(levels) << levels.error();
+        auto wind = Wind::create(levels->inner_config(), levels->nearest());
+        auto air = scene::SceneAir::within(*scene);
         EXPECT_TRUE(air.begin(*wind));
         for (int step = 1; step <= steps; ++step) {
+            EXPECT_TRUE(levels->advance_to(scene->frame_times().time_of_step(step)));
             EXPECT_TRUE(air.advance_to(*wind, scene->frame_times().time_of_step(step)));
             (void)wind->step(scene->frame_times().length_of_step(step));
         }

@@ -169,6 +169,8 @@ DEVICE = [
     ("windrow_vulkan_frame_init", c.c_int32, P(VulkanFrame), c.c_uint32),
     ("windrow_vulkan_wind_required_bytes", c.c_int32, P(VulkanHost), P(Config), P(VulkanSettings), P(c.c_uint64),
      P(c.c_uint64)),
+    ("windrow_vulkan_wind_required_bytes_inside", c.c_int32, P(VulkanHost), P(Config), P(VulkanSettings), c.c_void_p,
+     P(c.c_uint64), P(c.c_uint64)),
     ("windrow_vulkan_wind_create", c.c_int32, P(VulkanHost), P(Config), P(VulkanSettings), P(c.c_void_p)),
     ("windrow_vulkan_wind_create_inside", c.c_int32, P(VulkanHost), P(Config), P(VulkanSettings), c.c_void_p,
      P(c.c_void_p)),

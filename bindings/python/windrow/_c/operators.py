@@ -41,6 +41,8 @@ OPERATORS = [
     ("windrow_scene_parse", c.c_int32, c.c_char_p, c.c_uint64, c.c_char_p, P(ParallelFor), P(c.c_void_p)),
     ("windrow_scene_destroy", None, c.c_void_p),
     ("windrow_scene_wind", c.c_void_p, c.c_void_p),
+    ("windrow_scene_outer_count", c.c_int32, c.c_void_p),
+    ("windrow_scene_outer_wind", c.c_void_p, c.c_void_p, c.c_int32),
     ("windrow_wind_write_scene", c.c_int32, c.c_void_p, c.c_char_p, c.c_double, c.c_double),
     ("windrow_scene_step", c.c_int32, c.c_void_p, P(Diagnostics)),
     ("windrow_scene_advance", c.c_int32, c.c_void_p, c.c_double, P(Advance)),
