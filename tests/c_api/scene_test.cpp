@@ -161,7 +161,7 @@ TEST(SceneInC, GivesTheWindsAroundItsOwn) {
     ASSERT_EQ(restore(), WINDROW_OK) << windrow_last_error();
     EXPECT_EQ(windrow_scene_outer_wind(scene.get(), 0), nearest);
     EXPECT_EQ(bytes_of(nearest), near_bytes);
-    EXPECT_EQ(restore(), WINDROW_OK) << windrow_last_error(); // no use of it is counted twice
+    EXPECT_EQ(restore(), WINDROW_OK) << windrow_last_error();                // no use of it is counted twice
     EXPECT_EQ(windrow_scene_advance(scene.get(), 1e8, nullptr), WINDROW_OK); // at once: the levels drop what the box drops
     windrow_bytes_destroy(saved);
     for (windrow_wind* const wind : {own, near, far})
