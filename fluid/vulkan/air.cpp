@@ -255,9 +255,12 @@ void Air::wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> i
 }
 
 void Air::copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at) {
+    copy(commands, from, to, VkBufferCopy{.srcOffset = 0, .dstOffset = at, .size = std::min(from.bytes(), to.bytes() - at)});
+}
+
+void Air::copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, const VkBufferCopy& region) {
     wait(commands);
     ++transfers_;
-    const VkBufferCopy region{.srcOffset = 0, .dstOffset = at, .size = std::min(from.bytes(), to.bytes() - at)};
     device_->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
 }
 

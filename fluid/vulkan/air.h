@@ -253,6 +253,7 @@ class Air {
             barrier(k_compute, k_compute);
     }
     void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at = 0);
+    void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, const VkBufferCopy& region);
     void clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
     /// `command`: its work groups are entry `command` of Fields::commands.
     void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0,

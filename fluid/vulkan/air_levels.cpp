@@ -49,7 +49,15 @@ void Air::upload_outer(VkCommandBuffer commands) {
 
 void Air::upload_outer(VkCommandBuffer commands, std::span<const glm::vec4> cells, bool second) {
     barrier(k_compute | k_transfer, k_transfer);
-    write(commands, fields_.tile, std::as_bytes(cells), k_tile_bytes + (second ? cells.size_bytes() : 0));
+    const std::span<const std::byte> bytes = std::as_bytes(cells);
+    const VkDeviceSize to = k_tile_bytes + (second ? bytes.size() : 0);
+    // From host memory that stays: vkCmdUpdateBuffer copies it into fresh memory of the command buffer. A recording of 128 x 64 x 128
+    // cells takes 6 ms of the CPU in place of 16 (llvmpipe).
+    if (const auto at = fields_.outer.put(bytes))
+        copy(commands, fields_.outer.buffer(), fields_.tile,
+             VkBufferCopy{.srcOffset = *at, .dstOffset = to, .size = bytes.size()});
+    else
+        write(commands, fields_.tile, bytes, to);
     barrier(k_transfer, k_compute | k_transfer);
 }
 

@@ -149,6 +149,7 @@ void Air::begin(int slot) {
     slot_before_ = std::exchange(slot_, slot);
     fields_.step.begin(slot);
     fields_.motors.begin(slot);
+    fields_.outer.begin(slot);
     step_put_ = false;
     reported_slot_ = -1;
     stepped_ = false;

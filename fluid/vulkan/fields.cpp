@@ -57,6 +57,10 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
     // Motors' eddies are read from it too.
     make(fields.tile, "tile", (VkDeviceSize{128} * 16 * 128 + (sizes.outer ? 2 * padded : 0)) * sizeof(vec4), MemoryUse::shared);
+    // A field above this travels in the command buffer, as one that finds no room does.
+    constexpr VkDeviceSize k_most_staged = VkDeviceSize{64} << 20;
+    if (const VkDeviceSize field = padded * sizeof(vec4); sizes.outer)
+        make_blocks(fields.outer, "outer wind", field <= k_most_staged ? field : 0, sizeof(vec4));
     make(fields.velocity, "velocity", 2 * cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));
     make(fields.force, "force", cells * sizeof(vec4));

@@ -5,7 +5,7 @@
 //   velocity                                                                    32 N: now and a sub-step ago
 //   history, force, drives, source_flow, arrived, diffused, before              16 N each
 //   padded                                                                      32 P, 48 P with gusts
-//   tile, with an outer wind                                                    4 MiB and 32 P
+//   tile, with an outer wind                                                    4 MiB and 32 P, 16 P more a slot in host memory
 //   expansion, hat, potential                                                   4 N each; hat_x too where the solve is in slabs
 //   drag                                                                        8 N, with the first deposit
 #pragma once
@@ -46,6 +46,7 @@ struct Fields {
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
     HostBlocks step, motors; ///< of a tick: WindrowStep with the rows behind it; WindrowMotor
+    HostBlocks outer;        ///< an outer wind's values on their way to the tile, one field a slot; empty without
     Buffer control, shapes, commands, rules, tables, tile;
     Buffer velocity, history, force, drives, source_flow, arrived, diffused, before;
     Buffer padded, expansion, hat, hat_x, potential, sums;
