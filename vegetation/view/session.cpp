@@ -100,6 +100,7 @@ Result<void> Session::reload() {
 }
 
 Result<void> Session::restart() {
+    (void)end_stroke(); // what it has made is in the scene; one that has made nothing ends without a word
     // What was added is there from the start; what was removed is gone, and keeps its place in the file's list without ever coming.
     auto settled = std::make_unique<program::PictureScene>(*scene_);
     const auto settle = [&](auto& list, std::size_t first_added, std::vector<bool>& removed, std::vector<bool>& changed,
@@ -309,7 +310,7 @@ Result<void> Session::seek(double asked) {
     Wind* const own = player_->air().cpu();
     if (own == nullptr)
         return Error{"the air of a device is not kept: choose the solver on the CPU to go back in time."};
-    stroke_.reset();
+    (void)end_stroke(); // now: its end is of this moment, not of the one that is asked for
     chased_ = 0.0;
     if (recording_) // the last step at or before it
         for (const Recording::Mark& mark : recording_->marks)

@@ -220,6 +220,7 @@ class Session {
     Result<void> move_hand(double end);
     Result<std::size_t> add_moment(scene::SceneMotor motor);
     [[nodiscard]] Result<void> can_change() const;
+    [[nodiscard]] Result<void> has_whole_strokes() const;
     Result<void> read_recording(std::unique_ptr<program::PictureScene>& scene, nlohmann::json& document);
     Result<void> begin_recording();
     Result<void> play_recorded();

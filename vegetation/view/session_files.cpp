@@ -101,9 +101,17 @@ json Session::obstacle_json(std::size_t place) const {
     return object;
 }
 
+Result<void> Session::has_whole_strokes() const {
+    if (stroke_ && !stroke_->paths.empty()) // its paths and walkers come into the document as it ends
+        return Error{"a stroke of the hand is under way: release the button, then save."};
+    return {};
+}
+
 Result<void> Session::save(const std::filesystem::path& file) const {
     if (auto can = can_change(); !can)
         return Error{"a recording has no scene to save: save the scene that its host began with."};
+    if (auto whole = has_whole_strokes(); !whole)
+        return whole;
     json document = document_;
     const auto list = [&](const char* key, std::size_t first, std::size_t skipped, std::size_t count,
                           const std::vector<bool>& removed, const auto& one) {
@@ -132,6 +140,8 @@ Result<void> Session::save(const std::filesystem::path& file) const {
 Result<void> Session::save_log(const std::filesystem::path& folder) const {
     if (segments_.empty())
         return Error{"the air of a device is not kept: choose the solver on the CPU to save a log."};
+    if (auto strokes = has_whole_strokes(); !strokes)
+        return strokes;
     for (std::size_t place = 0; place <= levels(); ++place) {
         EventLog whole;
         for (const auto& segment : segments_)

@@ -63,6 +63,43 @@ TEST_F(SessionHandTest, RejectsAStrokeWhileNoTimePasses) {
     EXPECT_EQ(session_->motors().size(), 2u);
 }
 
+// Whoever goes back, restarts or saves while the button is down: a motor of a path that the file has not cannot be read again.
+TEST_F(SessionHandTest, AStrokeThatIsUnderWayLosesNoSave) {
+    const auto file = folder_.path() / "saved.json";
+    const auto begin = [&] {
+        ASSERT_TRUE(session_->reload());
+        play_steps(4);
+        ASSERT_TRUE(session_->begin_stroke(Session::Hand::press, {-3.0, 0.0, 2.0}, 0.8f));
+        for (int step = 1; step <= 6; ++step) {
+            session_->stroke_to({-3.0 + 0.2 * step, 0.0, 2.0});
+            play_steps(1);
+        }
+    };
+    const auto expect_saved = [&](const char* after, double until) {
+        EXPECT_FALSE(session_->strokes()) << after;
+        ASSERT_TRUE(session_->save(file)) << after;
+        const auto again = program::read_picture_scene(file);
+        ASSERT_TRUE(again) << after << ": " << again.error();
+        EXPECT_EQ(again->picture.walkers.size(), 1u) << after;
+        ASSERT_EQ(again->air.motors.size(), 3u) << after;
+        EXPECT_NEAR(again->air.motors[2].until, until, 1e-6) << after;
+    };
+    begin();
+    for (const auto& saved : {session_->save(file), session_->save_log(folder_.path())}) {
+        ASSERT_FALSE(saved);
+        EXPECT_NE(saved.error().find("release the button"), std::string::npos) << saved.error();
+    }
+    EXPECT_FALSE(std::filesystem::exists(file) || std::filesystem::exists(folder_.path() / "events.log"));
+    ASSERT_TRUE(session_->end_stroke());
+    expect_saved("end", 10.0 / 30.0);
+    begin();
+    ASSERT_TRUE(session_->seek(session_->time() - 0.1));
+    expect_saved("seek", 10.0 / 30.0);
+    begin();
+    ASSERT_TRUE(session_->restart());
+    expect_saved("restart", 10.0 / 30.0);
+}
+
 struct Combed {
     float along = 0.0f; ///< the part of the lean that is along x, where the way was
     float least = 1e3f; ///< [rad] lean within 0.4 m of the way
