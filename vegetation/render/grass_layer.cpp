@@ -45,7 +45,7 @@ struct SwingFrame {
     glm::uvec4 frame{0u};
 };
 static_assert(sizeof(SwingFrame) == 336);
-constexpr VkDeviceSize k_swing_bytes = 20; // WindrowSwingBits
+constexpr VkDeviceSize k_swing_bytes = 24; // KeptSwing of field_blades.glsl
 
 // What both shadow maps show: boxes along the same light. The near one's corners, in the far one's clip space, widen the far one.
 glm::mat4 around_both(const glm::mat4& near, const glm::mat4& far) {
@@ -168,7 +168,7 @@ void GrassLayer::point_at_ground(const PassContext& context) {
 void GrassLayer::begin_swing(const PassContext& context) {
     if (listed_ == VK_NULL_HANDLE)
         return;
-    if (++frame_ == 1) // no number of a frame is 0
+    if (++frame_ == 1) // what no frame has listed is at no place beyond the springs
         vkCmdFillBuffer(context.commands, listed_, 0, VK_WHOLE_SIZE, 0);
     SwingFrame frame{.frame = {frame_, 0u, 0u, 0u}};
     if (const auto steps = windrow::swing_steps(settings_.spring, time_step_))

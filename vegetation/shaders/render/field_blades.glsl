@@ -9,30 +9,33 @@
 
 #ifdef FIELD_SWINGS
 // States of this frame and the last beside field_blades, in their order: [2 (base + n) + parity of the frame]. A place finds its
-// state of the last frame by where that was listed. A blade that picture and shadow both list has it twice, alike.
-layout(std430, set = 2, binding = 3) buffer Swings { WindrowSwingBits swings[]; };
+// state of the last frame by where that was listed. A blade that picture and shadow both list has it twice, alike. Its slot may
+// have been another chunk's, and its place not listed for long: what goes on has the tag of this blade in the last frame.
+struct KeptSwing {
+    WindrowSwingBits bits;
+    uint tag;
+};
+layout(std430, set = 2, binding = 3) buffer Swings { KeptSwing swings[]; };
 layout(std430, set = 2, binding = 4) buffer Listed { uint listed[]; }; // [2 place + parity]
 layout(std430, set = 2, binding = 5) readonly buffer SwingFrame {
     WindrowSwingStep swing_steps[4]; // of the bands of its class
     uvec4 swing_frame;               // x its number, from 1 on
 };
 
-const uint k_listed_bits = 22u; // max_blades is at most 2^22; above them the frame's number
-
-uint listed_at(uint frame, uint at) { return frame << k_listed_bits | at; }
+// Another in each frame and of each blade, except for one in 2^32.
+uint swing_tag(uint frame, GrassBlade blade) { return frame ^ windrow_plant_hash(blade.key).x; }
 
 // The bend of a blade now and a frame ago.
 vec4 swung(GrassBlade blade, uint at) {
     uint frame = swing_frame.x, parity = frame & 1u;
-    uint last = listed[2u * blade.place + (1u - parity)];
-    uint before = last & ((1u << k_listed_bits) - 1u);
-    bool goes_on = frame > 1u && last == listed_at(frame - 1u, before);
-    WindrowSwing swing = windrow_swing_unpacked(swings[2u * (goes_on ? before : at) + (1u - parity)]);
+    KeptSwing last = swings[2u * listed[2u * blade.place + (1u - parity)] + (1u - parity)];
+    bool goes_on = frame > 1u && last.tag == swing_tag(frame - 1u, blade);
+    WindrowSwing swing = windrow_swing_unpacked(last.bits);
     vec2 bend = swing.bend;
     WindrowSwingStep own = swing_steps[windrow_spring_band(windrow_blade_quickness(blade.kind, blade.hash))];
     swing = windrow_blade_swing(own, blade.kind, blade.root, vec3(0.0, 1.0, 0.0), blade.hash, vec3(0.0), goes_on, swing);
-    swings[2u * at + parity] = windrow_swing_packed(swing);
-    listed[2u * blade.place + parity] = listed_at(frame, at);
+    swings[2u * at + parity] = KeptSwing(windrow_swing_packed(swing), swing_tag(frame, blade));
+    listed[2u * blade.place + parity] = at;
     return vec4(swing.bend, goes_on ? bend : swing.bend);
 }
 #endif

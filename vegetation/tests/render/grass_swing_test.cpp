@@ -241,6 +241,71 @@ TEST(GrassSwing, IsOneInThePictureAndInItsShadow) {
     EXPECT_GT(twice, 100);
 }
 
+// Many small chunks about an eye that looks along -z or +z: no chunk is in both views.
+struct Cut {
+    explicit Cut(int max_chunks)
+        : stage(gusty_scene(0.6f), {.width = 96, .height = 54, .samples = 1, .shadow_texels = 64, .anchor = k_swing_corner}) {
+        const auto mask = *grass::PlacementMask::create({33, 33}, stage.scene.ground.heights.extent(), 1.0f);
+        layer = &stage.grow(
+            mask,
+            {.field = {.density = 3.0f, .chunk_cells = 9, .split_distance = 4.0f, .cut_distance = 9.0f, .max_chunks = max_chunks},
+             .shadows = 0});
+    }
+    static Camera looking(float y, float z) {
+        Camera camera;
+        camera.position = k_swing_corner + glm::dvec3(12.0, 1.2, 12.0);
+        camera.target = camera.position + glm::dvec3(0.0, y, z);
+        return camera;
+    }
+    Picture8 view(float y, float z, double frame_time) {
+        layer->set_time_step(frame_time);
+        stage.draw(looking(y, z), frame_time);
+        EXPECT_EQ(layer->report().left_out, 0);
+        return stage.renderer->images().picture();
+    }
+    // Frames that see no blade, in air that stays as it is.
+    void look_away(int frames) {
+        Drawable* const one = layer;
+        for (int n = 0; n < frames; ++n) {
+            const engine::Frame frame = engine::must(stage.frames->begin());
+            engine::must(stage.wind->record(frame.commands, {.dt = 0.0, .slot = frame.slot}));
+            engine::must(stage.renderer->keep_up(frame, looking(3.0f, 1.0f), *stage.wind, std::span(&one, 1)));
+            EXPECT_EQ(layer->report().orders, 0);
+            engine::must(stage.frames->submit(frame));
+        }
+        engine::must(stage.frames->wait());
+    }
+    test::GrassStage stage;
+    GrassLayer* layer = nullptr;
+};
+
+// A slot that another chunk gets at a cut: blades that go on as those that stood there bend as they did.
+TEST(GrassSwing, BeginsAnewInASlotThatWasAnotherChunks) {
+    Cut few(24), many(64);
+    for (int frame = 0; frame < 12; ++frame) {
+        (void)few.view(-0.4f, 1.0f, 1.0 / 30.0);
+        (void)many.view(-0.4f, 1.0f, 1.0 / 30.0);
+    }
+    EXPECT_GT(few.layer->report().colour_chunks, 12); // a view takes more than half of the slots
+    const Picture8 before = many.stage.renderer->images().picture();
+    for (int frame = 0; frame < 2; ++frame) {
+        const Picture8 reused = few.view(-0.4f, -1.0f, 1.0 / 30.0), own = many.view(-0.4f, -1.0f, 1.0 / 30.0);
+        EXPECT_EQ(reused.values, own.values) << frame;
+        EXPECT_NE(own.values, before.values);
+    }
+}
+
+// What has not been listed yet, or 1024 frames ago, is not what the frame before listed.
+TEST(GrassSwing, BeginsAnewAtAnyFrame) {
+    Cut cut(64);
+    for (int frame = 0; frame < 2; ++frame)
+        (void)cut.view(-0.4f, 1.0f, 1.0 / 30.0);
+    cut.look_away(1022);
+    const Picture8 at_1025 = cut.view(-0.4f, -1.0f, 0.0);
+    cut.look_away(2);
+    EXPECT_EQ(cut.view(-0.4f, -1.0f, 0.0).values, at_1025.values);
+}
+
 // Where a blade was a frame ago is where the frame before drew it.
 TEST(GrassSwing, RemembersTheFrameBefore) {
     Swinging meadow;
