@@ -188,8 +188,9 @@ Result<void> FurredBodies::move(double time, double seconds) {
         for (const auto& coat : furred.coats)
             if (auto felt = coat->set_feet(feet); !felt)
                 return felt.failure().after("$.picture.walkers: ");
+    const bool there = seconds <= 0.0 && std::abs(time - time_) <= 1e-9; // after a seek they are elsewhere
     for (const Furred& furred : furred_)
-        if (auto moved = seconds > 0.0 ? move(furred, time, seconds) : Result<void>{}; !moved) // else they are there already
+        if (auto moved = there ? Result<void>{} : move(furred, time, seconds); !moved)
             return moved;
     time_ = time;
     return {};

@@ -41,8 +41,8 @@ class FurredBodies {
                                                               const PictureScene& scene, glm::dvec3 anchor);
 
     void add_to(render::Renderer& renderer);
-    /// All bodies are where they are at `time` [s], `seconds` after the last call; 0: they are there. The wind that they feel
-    /// and the lag of their tips do not depend on how long frames are.
+    /// All bodies are where they are at `time` [s], `seconds` after the last call; 0: they are there, or placed there. The wind
+    /// that they feel and the lag of their tips do not depend on how long frames are.
     windrow::Result<void> move(double time, double seconds);
     /// What keeps up in frames that are not drawn.
     void append_to(std::vector<render::Drawable*>& drawables) const;

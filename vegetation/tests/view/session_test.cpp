@@ -155,6 +155,38 @@ TEST_F(SessionTest, DrawsHillsThatAreAnObstacle) {
     ASSERT_TRUE(session_->player().frames().wait());
 }
 
+// A furred body that stays where it was before the slider went back is drawn there.
+TEST_F(SessionTest, DrawsFurWhereItIsAfterASeek) {
+    std::string scene = k_scene;
+    scene.replace(scene.find("\"motors\""), 0, R"("paths": {"go": {"points": [[0, -1.5, 0, 0], [2, 1.5, 0, 0]]}}, )");
+    scene.replace(scene.find(R"("camera")"), std::string::npos, R"("camera": {"position": [0, 1.5, 5], "target": [0, 0.7, 0]},
+        "bodies": [{"name": "ball", "mesh": {"cube_sphere": {"radius": 0.5, "cells": 6}}, "place": {"position": [0, 0.7, 0]},
+                    "motion": {"path": "go"}, "coats": [{"layers": {"shells": 4, "length": 0.1}}]}]}})");
+    write("ball.json", scene);
+    open("ball.json");
+    const auto drawn = [&] {
+        const auto begun = session_->player().frames().begin();
+        EXPECT_TRUE(begun && session_->record(*begun, program::camera_at(session_->scene(), 0.0), true) &&
+                    session_->player().frames().finish(*begun));
+        return session_->player().images().picture();
+    };
+    play_steps(6);
+    const render::Picture8 first = drawn();
+    play_steps(39);
+    const render::Picture8 later = drawn();
+    ASSERT_TRUE(session_->seek(6.0 / 30.0));
+    EXPECT_EQ(session_->steps(), 6);
+    const render::Picture8 again = drawn();
+    const auto apart = [&](const render::Picture8& other) {
+        double sum = 0.0;
+        for (std::size_t n = 0; n < first.values.size(); ++n)
+            sum += std::abs(first.values[n] - other.values[n]);
+        return sum / static_cast<double>(first.values.size());
+    };
+    EXPECT_GT(apart(later), 2.0);
+    EXPECT_LT(apart(again), 0.3); // tips that have come along lag, tips that are placed rest
+}
+
 TEST_F(SessionTest, ChangesItsSizeFiftyTimesWithoutALeak) {
     std::uint64_t first = 0;
     for (int n = 0; n < 50; ++n) {
