@@ -51,6 +51,7 @@ Result<void> SceneRenderer::make() {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};
         air.cells = glm::ivec3(8); // something to sample
+        air.rows.reset();
     } else if (picture.sampling.detail > 0.0f && air.gusts.intensity <= 0.0f) {
         air.gusts.tile = windrow::GustTile::standard(); // the pattern of the detail, where no gusts bring one
     }
