@@ -304,6 +304,7 @@ void SceneRenderer::move_streaks(double time, double seconds) {
     const auto velocity = [&](std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) {
         air_->reader().velocity(places, velocities);
     };
+    streaks_->follow(air_->control().origin());
     streaks_->advance(seconds, velocity, blocked);
 }
 

@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <utility>
 
 namespace windrow::vegetation::render {
 namespace {
@@ -60,6 +61,7 @@ void StreakWays::begin(Way& way, double age) {
     way.points[0] =
         box_.low + glm::dvec3(share.x * box_.extent.x, low + (high - low) * share.y * share.y, share.z * box_.extent.z);
     way.used = 1;
+    way.since = 0.0;
     way.age = age;
 }
 
@@ -68,17 +70,28 @@ float StreakWays::strength(const Way& way) const {
     return glm::smoothstep(0.0f, 0.2f, share) * glm::smoothstep(0.0f, 0.2f, 1.0f - share);
 }
 
+StreakWays::Point StreakWays::point(const Way& way, int number) const {
+    const auto n = static_cast<std::size_t>(number);
+    if (number == 0)
+        return {way.points[0], 1.0};
+    const auto seconds = static_cast<double>(settings_.seconds);
+    const double before = way.since + (number - 1) * apart();
+    if (before < seconds)
+        return {way.points[n], 1.0 - before / seconds};
+    return {glm::mix(way.points[n - 1], way.points[n], glm::clamp(1.0 - (before - seconds) / apart(), 0.0, 1.0)), 0.0};
+}
+
 void StreakWays::advance(double dt, const Velocity& velocity, const Blocked& blocked) {
-    const double longest = static_cast<double>(settings_.seconds) / (k_points - 1);
-    const int steps = std::max(1, static_cast<int>(std::ceil(dt / longest - 1e-6)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(dt / apart() - 1e-6)));
+    const double length = dt / steps; // [s]
     for (int step = 0; step < steps; ++step) {
         for (std::size_t n = 0; n < ways_.size(); ++n)
             heads_[n] = ways_[n].points[0];
         velocity(heads_, velocities_);
         for (std::size_t n = 0; n < ways_.size(); ++n) {
             Way& way = ways_[n];
-            way.age += dt / steps;
-            const glm::dvec3 next = heads_[n] + dt / steps * glm::dvec3(velocities_[n]);
+            way.age += length;
+            const glm::dvec3 next = heads_[n] + length * glm::dvec3(velocities_[n]);
             const glm::dvec3 share = (next - box_.low) / box_.extent;
             const bool inside =
                 share.x >= 0.0 && share.y >= 0.0 && share.z >= 0.0 && share.x <= 1.0 && share.y <= 1.0 && share.z <= 1.0;
@@ -86,11 +99,24 @@ void StreakWays::advance(double dt, const Velocity& velocity, const Blocked& blo
                 begin(way, 0.0);
                 continue;
             }
-            std::copy_backward(way.points.begin(), way.points.end() - 1, way.points.end());
+            // A point stays behind each `apart()` s, on the line of this step; in between the head alone moves.
+            const double left = apart() - way.since;
+            if (way.used == 1 || left < length - 1e-9) {
+                const bool first = way.used == 1;
+                std::copy_backward(way.points.begin() + 1, way.points.end() - 1, way.points.end());
+                way.points[1] = first ? heads_[n] : heads_[n] + std::max(left, 0.0) / length * (next - heads_[n]);
+                way.since = first ? 0.0 : -left;
+                way.used = std::min(way.used + 1, k_points);
+            }
+            way.since += length;
             way.points[0] = next;
-            way.used = std::min(way.used + 1, k_points);
         }
     }
+}
+
+glm::vec3 upright_normal(glm::vec3 to_eye) {
+    constexpr float k_facing = 0.1f; // of a unit vector: a ribbon between two normals is not quite flat
+    return glm::normalize(glm::vec3(0.0f, 1.0f, 0.0f) - std::min(to_eye.y - k_facing, 0.0f) * to_eye);
 }
 
 Result<std::unique_ptr<WindStreaks>> WindStreaks::create(engine::Device& device, const DrawTargets& targets,
@@ -126,21 +152,28 @@ Result<void> WindStreaks::prepare(const PassContext& context) {
     for (const StreakWays::Way& way : ways_.ways()) {
         // Corners of the ribbon, turned to the eye, from the head to the tail.
         std::array<glm::vec3, 2> last{};
+        glm::vec4 last_normal(0.0f);
         for (int n = 0; n < way.used; ++n) {
-            const glm::vec3 here(way.points[static_cast<std::size_t>(n)] - context.anchor);
-            const auto other = static_cast<std::size_t>(n + 1 < way.used ? n + 1 : std::max(n - 1, 0));
-            const glm::vec3 along = (n + 1 < way.used ? 1.0f : -1.0f) * (here - glm::vec3(way.points[other] - context.anchor));
+            const StreakWays::Point drawn = ways_.point(way, n);
+            const glm::vec3 here(drawn.place - context.anchor);
+            const int other = n + 1 < way.used ? n + 1 : std::max(n - 1, 0);
+            const glm::vec3 along =
+                (n + 1 < way.used ? 1.0f : -1.0f) * (here - glm::vec3(ways_.point(way, other).place - context.anchor));
+            const float distance = std::max(glm::distance(eye, here), 1e-6f);
             glm::vec3 beside = glm::cross(along, eye - here);
             const float length = glm::length(beside);
-            const float share = 1.0f - static_cast<float>(n) / (StreakWays::k_points - 1);
             const float half =
-                std::max(0.5f * settings_.width, half_pixel * glm::distance(eye, here)) * share * ways_.strength(way);
+                std::max(0.5f * settings_.width, half_pixel * distance) * static_cast<float>(drawn.share) * ways_.strength(way);
             beside = length > 1e-9f ? beside * (half / length) : glm::vec3(0.0f);
             const std::array corners{here - beside, here + beside};
+            const glm::vec4 normal(upright_normal((eye - here) / distance), 0.0f);
             if (n > 0)
-                for (const glm::vec3& corner : {last[0], last[1], corners[1], last[0], corners[1], corners[0]})
-                    *vertex++ = {glm::vec4(corner, 0.0f), glm::vec4(0.0f, 1.0f, 0.0f, 0.0f), glm::vec4(settings_.colour, 0.0f)};
+                for (const auto& [corner, its] :
+                     {std::pair(last[0], last_normal), std::pair(last[1], last_normal), std::pair(corners[1], normal),
+                      std::pair(last[0], last_normal), std::pair(corners[1], normal), std::pair(corners[0], normal)})
+                    *vertex++ = {glm::vec4(corner, 0.0f), its, glm::vec4(settings_.colour, 0.0f)};
             last = corners;
+            last_normal = normal;
         }
     }
     drawn_ = static_cast<std::uint32_t>(vertex - begin);

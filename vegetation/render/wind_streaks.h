@@ -52,7 +52,7 @@ struct StreakBox {
 /// The ways themselves, without a device.
 class StreakWays {
   public:
-    static constexpr int k_points = 14; ///< of a way, the newest first
+    static constexpr int k_points = 15; ///< of a way, the newest first
 
     using Velocity = std::function<void(std::span<const glm::dvec3>, std::span<glm::vec3>)>;
     /// Whether a body is on the way or at its end.
@@ -61,18 +61,29 @@ class StreakWays {
     StreakWays(const WindStreakSettings& settings, const StreakBox& box);
     /// Advances by dt [s]. One that leaves the box, comes to a body or ends begins again.
     void advance(double dt, const Velocity& velocity, const Blocked& blocked);
+    /// The box has moved. A way that is outside of it begins again, in the next `advance`.
+    void follow(glm::dvec3 low) { box_.low = low; }
 
     struct Way {
-        std::array<glm::dvec3, k_points> points{}; ///< [m] world
+        std::array<glm::dvec3, k_points> points{}; ///< [m] world: the head, then where it was, as long apart at any frame rate
         int used = 0;
-        double age = 0.0; ///< [s]
+        double since = 0.0; ///< [s] from the second point to the head
+        double age = 0.0;   ///< [s]
     };
     [[nodiscard]] std::span<const Way> ways() const { return ways_; }
+    /// A point of a way as it is drawn: the last of a whole one is where the head was `seconds` ago.
+    struct Point {
+        glm::dvec3 place{0.0};
+        double share = 1.0; ///< of the width: 1 at the head, 0 after `seconds`
+    };
+    [[nodiscard]] Point point(const Way& way, int number) const;
     /// 0 to 1: a way fades in, and out.
     [[nodiscard]] float strength(const Way& way) const;
 
   private:
     void begin(Way& way, double age);
+    /// [s] Between two points behind the head: as many as cover `seconds`, with one that the tail comes from.
+    [[nodiscard]] double apart() const { return static_cast<double>(settings_.seconds) / (k_points - 2); }
 
     WindStreakSettings settings_;
     StreakBox box_;
@@ -81,6 +92,10 @@ class StreakWays {
     std::vector<glm::vec3> velocities_;
     std::uint32_t begun_ = 0;
 };
+
+/// A normal as near to the upright as faces an eye in this direction (unit vector): solids turn one that looks away, and a streak
+/// above the eye would have the ground's light alone.
+[[nodiscard]] glm::vec3 upright_normal(glm::vec3 to_eye);
 
 class WindStreaks final : public Drawable {
   public:
@@ -91,6 +106,7 @@ class WindStreaks final : public Drawable {
     void advance(double dt, const StreakWays::Velocity& velocity, const StreakWays::Blocked& blocked) {
         ways_.advance(dt, velocity, blocked);
     }
+    void follow(glm::dvec3 low) { ways_.follow(low); }
     Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
 
