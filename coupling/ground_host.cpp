@@ -63,21 +63,26 @@ glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
     return origin_ + (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
 }
 
-// In texels from the corner; empty where the sweep's bounds are outside the window.
+// In texels from the corner; empty where the sweep's bounds are outside the window, or where it presses nothing
+// (windrow_ground_contact).
 std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, double duration, Texel corner) const {
     const double size = config_.texel_size;
     const auto place = [&](glm::dvec3 world) { return own_place(world) / size - glm::dvec2(corner); };
     const glm::dvec2 to = place(walker.position);
     const glm::dvec3 way(walker.position.x - walker.previous.x, 0.0, walker.position.z - walker.previous.z);
-    const bool jumped = duration > 0.0 && detail::is_jump(way, duration, config_.jump_speed);
+    const bool jumped = detail::is_jump(way, duration, config_.jump_speed); // in no time any way is one
     const glm::dvec2 from = jumped ? to : place(walker.previous);
+    const float before = jumped ? walker.foot_height : walker.previous_foot_height;
+    if (!(walker.weight > 0.0f) || std::min(before, walker.foot_height) >= config_.clearance ||
+        std::max(before, walker.foot_height) <= -2.0f * config_.clearance)
+        return std::nullopt;
     // Each place is within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
     const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);
     for (int axis = 0; axis < 2; ++axis)
         if (std::max(from[axis], to[axis]) + radius < 0.0 || std::min(from[axis], to[axis]) - radius > config_.texels)
             return std::nullopt;
     numerics::WindrowWalker found;
-    found.from = glm::vec4(rounded(from.x), rounded(from.y), jumped ? walker.foot_height : walker.previous_foot_height, radius);
+    found.from = glm::vec4(rounded(from.x), rounded(from.y), before, radius);
     found.to = glm::vec4(rounded(to.x), rounded(to.y), walker.foot_height, walker.weight);
     return found;
 }

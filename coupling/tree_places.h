@@ -111,7 +111,10 @@ class TreeNeighbours {
 
   private:
     [[nodiscard]] glm::i64vec2 cell(glm::dvec2 at) const { return glm::i64vec2(glm::floor(at / cell_)); }
-    [[nodiscard]] static std::int64_t key(glm::i64vec2 cell) { return cell.x * 0x1fffffffffffLL + cell.y; }
+    [[nodiscard]] static std::int64_t key(glm::i64vec2 cell) { // modulo 2^64: far away products of signed numbers overflow
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(cell.x) * 0x1fffffffffffULL +
+                                         static_cast<std::uint64_t>(cell.y));
+    }
 
     double apart_, cell_; // [m]
     std::unordered_map<std::int64_t, std::vector<glm::dvec2>> cells_{};

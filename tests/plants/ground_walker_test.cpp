@@ -170,6 +170,35 @@ TEST(GroundWalkers, ARespawnSweepsNothing) {
         }
 }
 
+// A host that pauses steps by 0 s. Who is put elsewhere meanwhile has jumped; who stands where he was presses there.
+TEST(GroundWalkers, AWayInNoTimeSweepsNothing) {
+    GroundMemory ground = walked_ground({});
+    const GroundWalker moved{.position = {6.0, 0.0, 0.0}, .previous = {-6.0, 0.0, 0.0}};
+    walk_on(ground, 0.0, std::span(&moved, 1));
+    EXPECT_EQ(ground.at({0.0, 0.0, 0.0}).trample, 0.0f);
+    EXPECT_EQ(ground.at({0.0, 0.0, 0.0}).trail, 0.0f);
+    EXPECT_GT(ground.at(moved.position).trample, 0.5f);
+    const GroundWalker stands = walker_at(k_texel);
+    walk_on(ground, 0.0, std::span(&stands, 1));
+    EXPECT_GT(ground.at(k_texel).trample, 0.5f);
+}
+
+// Who presses nothing leaves his room to the next.
+TEST(GroundWalkers, WhoPressesNothingTakesNoRoom) {
+    GroundMemory ground = walked_ground({.max_walkers = 1});
+    GroundWalker crowd[] = {walker_at({-4.0, 0.0, 0.0}, 0.0f), walker_at({-2.0, 0.0, 0.0}), walker_at({0.0, 0.0, 0.0}),
+                            walker_at({4.0, 0.0, 0.0})};
+    crowd[1].foot_height = crowd[1].previous_foot_height = 5.0f;
+    crowd[2].foot_height = -3.0f;
+    crowd[2].previous_foot_height = -2.0f;
+    crowd[3].previous.x = 3.0; // who leaps off
+    crowd[3].foot_height = 1.0f;
+    walk_on(ground, 0.1, crowd);
+    EXPECT_EQ(ground.walkers_left_out(), 0);
+    EXPECT_GT(ground.at(crowd[3].previous).trample, 0.3f);
+    EXPECT_EQ(ground.at(crowd[0].position).trample + ground.at(crowd[1].position).trample, 0.0f);
+}
+
 // Who walks in a cellar leaves the meadow above alone; who sinks in by less than the clearance presses in full.
 TEST(GroundWalkers, OneUnderTheGroundTouchesNothing) {
     const auto trample_of = [](float feet) {

@@ -112,6 +112,17 @@ TEST(TreeRejections, OfStands) {
                          }}});
 }
 
+// The number of a cell there is beyond 2^63: signed, it is undefined.
+TEST(TreeScatter, StandsApartFarFromTheOrigin) {
+    const TreeScatter far{.count = 100, .low = {-9e8, 2e6}, .high = {-9e8 + 80.0, 2e6 + 80.0}, .apart = 4.0, .seed = 3};
+    const auto places = scatter(far, [](double, double) { return 0.0; });
+    ASSERT_TRUE(places) << places.error();
+    ASSERT_EQ(places->size(), 100u);
+    for (std::size_t n = 0; n < places->size(); ++n)
+        for (std::size_t m = 0; m < n; ++m)
+            EXPECT_GE(glm::distance((*places)[n].base, (*places)[m].base), 4.0);
+}
+
 TEST(TreeScatter, StandsOnTheGroundApartAndOutOfTheCircles) {
     TreeStandSettings stand;
     stand.places = {{.base = {1.0, 2.0, 3.0}}};
