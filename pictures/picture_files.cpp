@@ -110,6 +110,7 @@ Result<void> write_exr(const PictureF& light, const PictureF& motion, const std:
     if (moves)
         spec.channelnames.insert(spec.channelnames.end(), {"motion.x", "motion.y"});
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "1970:01:01 00:00:00"); // the library writes the clock's else: a picture drawn again has its bytes
     std::vector<float> values;
     const std::size_t pixels = static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height);
     values.reserve(pixels * static_cast<std::size_t>(spec.nchannels));

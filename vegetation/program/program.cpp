@@ -33,6 +33,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <unistd.h>
@@ -88,10 +89,18 @@ Result<void> keep(const Options& options, const program::SceneRenderer& scene_re
     return windrow::pictures::write_png(scene_renderer.images().picture(), options.folder / k_pictures.name(frame));
 }
 
-/// The first frame from `first` on, before `end`, that has no picture yet. A picture is written whole or not at all.
-std::int64_t first_without_picture(const Options& options, std::int64_t first, std::int64_t end) {
+/// A file that a frame lacks, of those that were asked for; empty: it has all. A file is written whole or not at all.
+std::filesystem::path missing_of(const Options& options, std::int64_t frame) {
     std::error_code error;
-    while (first < end && std::filesystem::is_regular_file(options.folder / k_pictures.name(first), error))
+    for (const auto& [asked, files] : {std::pair(true, k_pictures), std::pair(options.exr, k_exrs)})
+        if (const auto file = options.folder / files.name(frame); asked && !std::filesystem::is_regular_file(file, error))
+            return file;
+    return {};
+}
+
+/// The first frame from `first` on, before `end`, that lacks a file.
+std::int64_t first_not_drawn(const Options& options, std::int64_t first, std::int64_t end) {
+    while (first < end && missing_of(options, first).empty())
         ++first;
     return first;
 }
@@ -102,18 +111,31 @@ std::int64_t stride_on_sheet(std::int64_t count) {
     return std::max<std::int64_t>(1, (count + k_most - 1) / k_most);
 }
 
-/// What a run that draws all frames from `first` on, before `end`, would leave behind, from the pictures of its parts.
-Result<Kept> join(const Options& options, std::int64_t first, std::int64_t end) {
-    if (const std::int64_t missing = first_without_picture(options, first, end); missing < end)
-        return Error{windrow::detail::message((options.folder / k_pictures.name(missing)).string(),
-                                              " is missing: draw the part that has this frame, with --part, before --join.")};
-    Kept kept{.first = first, .last = end - 1, .before = end - first};
-    for (std::int64_t frame = first; frame < end; frame += stride_on_sheet(end - first)) {
-        auto picture = windrow::pictures::read_png(options.folder / k_pictures.name(frame));
+/// Adds to the sheet what is there of a run from `begun` to `end`: its pictures before `first`. Rejects others than of `size` [px].
+Result<void> read_sheet(const Options& options, std::int64_t begun, std::int64_t first, std::int64_t end,
+                        std::optional<glm::ivec2> size, Kept& kept) {
+    for (std::int64_t frame = begun; frame < first; frame += stride_on_sheet(end - begun)) {
+        const std::filesystem::path file = options.folder / k_pictures.name(frame);
+        auto picture = windrow::pictures::read_png(file);
         if (!picture)
             return picture.failure();
+        if (size && glm::ivec2(picture->width, picture->height) != *size)
+            return Error{windrow::detail::message("picture ", file.string(), " is ", picture->width, " x ", picture->height,
+                                                  " px, and this run draws ", size->x, " x ", size->y,
+                                                  " px; give that --size, or another --out.")};
         kept.sheet.push_back(*std::move(picture));
     }
+    return {};
+}
+
+/// What a run that draws all frames from `first` on, before `end`, would leave behind, from the pictures of its parts.
+Result<Kept> join(const Options& options, std::int64_t first, std::int64_t end) {
+    if (const std::int64_t missing = first_not_drawn(options, first, end); missing < end)
+        return Error{windrow::detail::message(missing_of(options, missing).string(),
+                                              " is missing: draw the part that has this frame, with --part, before --join.")};
+    Kept kept{.first = first, .last = end - 1, .before = end - first};
+    if (auto read = read_sheet(options, first, end, end, {}, kept); !read)
+        return read.failure();
     if (auto joined = program::StageTable::join(options.folder); !joined)
         return joined.failure();
     return kept;
@@ -135,16 +157,23 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     if (options.join)
         return join(options, asked, asked + all);
     const std::int64_t begun = asked + options.part.first(all), end = asked + options.part.end(all);
-    const std::int64_t first = options.resume ? first_without_picture(options, begun, end) : begun;
-    const std::int64_t lead = scene_renderer.shutter_deg() > 0.0f || first > asked ? first - k_lead : first;
+    const std::int64_t first = options.resume ? first_not_drawn(options, begun, end) : begun;
+    const bool moves = scene_renderer.shutter_deg() > 0.0f || options.exr; // motion vectors are seen or written
+    const std::int64_t lead = moves || first > asked ? first - k_lead : first;
+    Kept kept{.first = asked, .last = asked + all - 1, .before = first - begun};
+    if (options.part.is_whole()) // a part makes no sheet
+        if (auto read = read_sheet(options, begun, first, end, scene_renderer.size(), kept); !read)
+            return read.failure();
     if (first == end)
-        return Kept{.first = asked, .last = asked + all - 1, .before = end - begun};
+        return kept;
+    kept.stages = program::StageTable(scene_renderer);
+    if (first > begun)
+        if (auto read = kept.stages.keep(options.folder / program::StageTable::name(options.part), begun, first); !read)
+            return read.failure();
     code = k_machine;
     if (auto settled = scene_renderer.warm_up(); !settled)
         return settled.failure();
-    Kept kept{.first = asked, .last = asked + all - 1, .before = first - begun};
-    kept.stages = program::StageTable(scene_renderer);
-    const std::int64_t every = stride_on_sheet(end - first);
+    const std::int64_t every = stride_on_sheet(end - begun);
     const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
         if (auto done = frame < lead ? scene_renderer.skip() : scene_renderer.draw(frame >= first); !done)
@@ -156,7 +185,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
             return written.failure();
         }
         kept.stages.add(frame, scene_renderer.times());
-        if ((frame - first) % every == 0)
+        if ((frame - begun) % every == 0)
             kept.sheet.push_back(scene_renderer.images().picture());
         ++kept.pictures;
         if (shows_progress)
@@ -225,6 +254,10 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     auto kept = draw(options, *scene, **scene_renderer, code);
     if (!kept)
         return complain(kept.error(), code);
+    if (const int left_out = (*scene_renderer)->walkers_left_out(); left_out > 0)
+        (void)complain(windrow::detail::message(file.string(), ": the ground's memory left out ", left_out,
+                                                " walkers of a frame; raise $.picture.ground_memory.max_walkers."),
+                       0);
     const bool whole = options.frames == 0 && options.from == 0.0;
     const auto files = std::array{k_pictures, k_exrs};
     if (const std::string others =

@@ -317,7 +317,9 @@ Result<void> SceneRenderer::walk(const engine::Frame& frame, double start, doubl
     if (auto followed = ground_->follow(scene_.air.followed_point(end)); !followed)
         return followed;
 
-    return ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
+    auto recorded = ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
+    walkers_left_out_ = std::max(walkers_left_out_, ground_->walkers_left_out());
+    return recorded;
 }
 
 Result<void> SceneRenderer::record_air(const engine::Frame& frame, double dt) {

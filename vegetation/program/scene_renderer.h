@@ -135,6 +135,8 @@ class SceneRenderer {
     [[nodiscard]] const render::Renderer& renderer() const { return *renderer_; }
     /// [m] What positions in shaders count from.
     [[nodiscard]] glm::dvec3 anchor() const { return anchor_; }
+    /// The most walkers of any frame so far that the ground's memory had no room for.
+    [[nodiscard]] int walkers_left_out() const { return walkers_left_out_; }
     [[nodiscard]] SceneRendererMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
     /// The mask of a layer of the scene has changed there.
@@ -191,6 +193,7 @@ class SceneRenderer {
     std::unique_ptr<engine::Frames> frames_{};
     render::GrassView view_{};
     std::int64_t frame_ = 0;
+    int walkers_left_out_ = 0;
     render::VertexCounts counts_{};
 };
 

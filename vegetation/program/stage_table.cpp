@@ -29,6 +29,30 @@ StageFigures figures_of(std::string name, std::vector<double> times) {
             .max = at(0.99)};
 }
 
+// A table that was written: its head and its rows, by their frames.
+struct WrittenTable {
+    std::string head{};
+    std::map<long long, std::string> rows{};
+};
+
+windrow::Result<WrittenTable> read_table(const std::filesystem::path& file) {
+    const auto text = windrow::detail::read_input(file, {.max_bytes = std::size_t{1} << 30});
+    if (!text)
+        return text.failure();
+    const std::size_t body = std::min(text->find('\n'), text->size() - 1) + 1;
+    WrittenTable table{.head = text->substr(0, body)};
+    for (std::size_t begin = body; begin < text->size();) {
+        const std::size_t end = std::min(text->find('\n', begin), text->size() - 1) + 1;
+        std::string row = text->substr(begin, end - begin);
+        const auto frame = windrow::scene::parse_whole_number(row.substr(0, row.find(',')));
+        if (!frame)
+            return windrow::Error{windrow::detail::message(file.string(), ": is not a table of frames: remove it.")};
+        table.rows[*frame] = std::move(row);
+        begin = end;
+    }
+    return table;
+}
+
 } // namespace
 
 StageTable::StageTable(const SceneRenderer& scene_renderer) {
@@ -38,6 +62,20 @@ StageTable::StageTable(const SceneRenderer& scene_renderer) {
                   "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",
                   mib(memory.targets), mib(memory.wind), mib(memory.grass), mib(memory.ground_memory));
     what_ = text;
+}
+
+windrow::Result<void> StageTable::keep(const std::filesystem::path& file, std::int64_t begun, std::int64_t end) {
+    std::error_code unreadable;
+    if (!std::filesystem::exists(file, unreadable))
+        return {};
+    const auto table = read_table(file);
+    if (!table)
+        return table.failure();
+    kept_head_ = table->head;
+    for (const auto& [frame, row] : table->rows)
+        if (frame >= begun && frame < end)
+            kept_rows_ += row;
+    return {};
 }
 
 void StageTable::add(std::int64_t frame, const std::vector<render::StageTime>& times) {
@@ -92,6 +130,8 @@ windrow::Result<void> StageTable::write(const std::filesystem::path& file) const
     for (const std::string& name : names_)
         text += "," + name + "_ms";
     text += '\n';
+    if (kept_head_ == text)
+        text += kept_rows_;
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         text += std::to_string(frames_[row]);
         for (const double time : rows_[row]) {
@@ -120,20 +160,12 @@ windrow::Result<void> StageTable::join(const std::filesystem::path& folder) {
     std::string text;
     std::map<long long, std::string> rows;
     for (const std::filesystem::path& part : parts) {
-        const auto table = windrow::detail::read_input(part, {.max_bytes = std::size_t{1} << 30});
+        auto table = read_table(part);
         if (!table)
             return table.failure();
-        const std::size_t body = std::min(table->find('\n'), table->size() - 1) + 1;
-        text = table->substr(0, body);
-        for (std::size_t begin = body; begin < table->size();) {
-            const std::size_t end = std::min(table->find('\n', begin), table->size() - 1) + 1;
-            const std::string row = table->substr(begin, end - begin);
-            const auto frame = windrow::scene::parse_whole_number(row.substr(0, row.find(',')));
-            if (!frame)
-                return windrow::Error{windrow::detail::message(part.string(), ": is not a table of a part: remove it.")};
-            rows[*frame] = row;
-            begin = end;
-        }
+        text = table->head;
+        for (auto& [frame, row] : table->rows)
+            rows[frame] = std::move(row);
     }
     for (const auto& [frame, row] : rows)
         text += row;

@@ -22,6 +22,9 @@ class StageTable {
     /// Notes what memory the figures belong to.
     explicit StageTable(const SceneRenderer& scene_renderer);
 
+    /// Keeps the rows of frames from `begun` on, before `end`, of the table of a run that goes on here; no such file: none. Rows of
+    /// other stages are not kept.
+    [[nodiscard]] windrow::Result<void> keep(const std::filesystem::path& file, std::int64_t begun, std::int64_t end);
     void add(std::int64_t frame, const std::vector<render::StageTime>& times);
     /// Stage by stage in the order of their first frame, then "frame", their sum; empty where the device counts no time.
     [[nodiscard]] std::vector<StageFigures> figures() const;
@@ -36,6 +39,7 @@ class StageTable {
 
   private:
     std::string what_{};
+    std::string kept_head_{}, kept_rows_{}; ///< lines as they were written
     std::vector<std::string> names_{};
     std::vector<std::int64_t> frames_{};
     std::vector<std::vector<double>> rows_{}; ///< [ms]

@@ -198,7 +198,51 @@ class AllScenes(UnderTheLayer):
         whole = self.run_program("small.json", "--fps", 4, "--resume", "--exr", "--out", "out")
         self.assertEqual(whole.returncode, 0, whole.stdout)
         self.assertIn("removed 3 frames of a longer run, from out/frame_00012.png on.", whole.stdout)
+        made |= {f"frame_{n:04d}.exr" for n in range(5)}  # of pictures that were there too
         self.assertEqual({file.name for file in (self.folder / "out").iterdir()}, {"frame_9.png", "other_0009.png"} | made)
+
+    def test_a_run_that_goes_on_leaves_what_an_unbroken_one_does(self):
+        """A camera that moves, air of unequal rows. The table of times alone has other figures."""
+        (self.folder / "go.json").write_text(json.dumps(
+            {"duration": 1, "paths": {"way": {"points": [[0, 0, 1.7, 0], [1, 1, 1.7, -2]]}},
+             "air": {"cells": [8, 12, 8], "rows": {"first": 0.3, "uniform": 2, "top": 12}},
+             "picture": {"size": [64, 36], "warm_up": 0, "camera": {"path": "way"}, "ground_memory": {"max_walkers": 1},
+                         "walkers": 2 * [{"path": "way", "figure": False, "wake": False}]}}))
+        for folder in "pages", "pages2":
+            (self.folder / folder).mkdir()
+        whole, cut = self.folder / "whole", self.folder / "cut"
+
+        def draw(folder, *flags):
+            run = self.run_program("go.json", "--fps", 4, "--exr", "--out", folder, *flags)
+            self.assertEqual(run.returncode, 0, run.stdout)
+            return run.stdout
+
+        def go_on(expected):
+            self.assertIn(expected, draw(cut, "--resume", "--sheet", "sheet2.png", "--jpeg", "pages2"))
+            left = {file.name for file in whole.iterdir()}
+            self.assertEqual({file.name for file in cut.iterdir()}, left)
+            pairs = [(cut / name, whole / name) for name in left - {"times.csv"}]
+            pairs += [(self.folder / "sheet2.png", self.folder / "sheet.png"), (self.folder / "pages2" / "go.jpg", self.folder / "pages" / "go.jpg")]
+            self.assertEqual([str(here) for here, there in pairs if here.read_bytes() != there.read_bytes()], [])
+            rows = [[line.split(",")[0] for line in (folder / "times.csv").read_text().splitlines()] for folder in (cut, whole)]
+            self.assertEqual(*rows)
+
+        draw(whole, "--sheet", "sheet.png", "--jpeg", "pages")
+        shutil.copytree(whole, cut)
+        go_on("5 pictures were there")
+        (cut / "frame_0003.png").unlink()
+        (cut / "frame_0002.exr").unlink()
+        go_on("2 pictures were there")
+        (cut / "frame_0002.exr").unlink()
+        self.assertIn("frame_0002.exr is missing", self.rejected("go.json", "--fps", 4, "--exr", "--out", "cut", "--join"))
+        self.assertIn("is 64 x 36 px, and this run draws 66 x 36 px", self.rejected("go.json", "--fps", 4, "--size", "66x36", "--out", "cut", "--resume"))
+        # The first frame moves as in the whole run, whose first stands still and so takes less room.
+        said = draw("from", "--from", 0.5, "--frames", 1)
+        self.assertIn("go.json: the ground's memory left out 1 walkers of a frame; raise $.picture.ground_memory.max_walkers.", said)
+        moving = whole / "frame_0002.exr"
+        self.assertTrue((self.folder / "from" / moving.name).read_bytes() == moving.read_bytes(), "other light or motion")
+        self.assertGreater(moving.stat().st_size, 1.05 * (whole / "frame_0000.exr").stat().st_size)
+        draw("calm", "--no-wind", "--frames", 1)  # which has fewer cells than the rows ask for
 
     def rejected(self, *arguments):
         """What it says: one line that begins with its name."""
