@@ -200,11 +200,11 @@ inline std::vector<Scenario> scenarios(bool whole) {
              must(wind.set_ambient({6.0f - 0.03f * static_cast<float>(n), 0.0f, 1.0f + 0.02f * static_cast<float>(n)}));
          }});
     rows.push_back(
-        {.name = "sides_that_change", // beside a house, and a blast whose flow meets it
+        {.name = "sides_that_change", // beside a house, which the flow of a source meets
          .begin =
              [](WindControl& wind) {
                  must(wind.motors().add(DirectionalMotor{}));
-                 must(wind.motors().add(PressureMotor{.position = {4.0, 1.0, -2.0}, .start_time = 0.3, .duration = 0.6}));
+                 must(wind.motors().add(OmniMotor{.position = {4.0, 1.0, -2.0}}));
                  must(wind.obstacles().add({.position = {-3.0, 0.2, 1.0}, .shape = Block{{1.2f, 1.6f, 0.9f}}}));
              },
          .step =

@@ -474,4 +474,19 @@ TEST(ObstacleWind, OneThatFillsTheBoxIsCounted) {
     EXPECT_EQ(wind.step(0.02).filling_obstacles, 0);
 }
 
+// A floor of rows that rises takes the gusts out of the air and puts others in: not into a closed room.
+TEST(ObstacleWind, ARoomStaysStillWhereItsFloorRises) {
+    Wind wind = made({.cells = {20, 12, 20},
+                      .boundaries = Boundaries::open_over_floor(),
+                      .ambient = {6.0f, 0.0f, 1.0f},
+                      .gusts = {.intensity = 0.2f},
+                      .rows = Rows{.first = 0.5f, .uniform = 8, .ratio = 1.1f}});
+    ASSERT_TRUE(
+        wind.obstacles().add({.position = {0.0, 2.2, 0.0}, .shape = MeshShape{mesh_of(room_mesh({4.0f, 2.2f, 4.0f}, 1.0f))}}));
+    take_steps(wind, 20, 0.05);
+    ASSERT_TRUE(wind.set_floor(0.5));
+    take_steps(wind, 1, 0.05);
+    EXPECT_LT(glm::length(wind.velocity({0.3, 2.0, -0.4})), 0.01f);
+}
+
 } // namespace
