@@ -1,7 +1,7 @@
 // A stroke in the page as an animated WebP: film.mjs BUILD OUT.webp [--scene TITLE] [--camera JSON] [--size 480x270] [--quality 2].
 //
 // The page's own loop stops; each frame is a step of 1/15 s with the events of a hand, so that a slow machine makes the same film. The
-// ring is where the finger is. Debian's webp has img2webp.
+// ring is where the finger is. tools/webp_film.py writes it: a browser shows each frame whole.
 import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -66,8 +66,7 @@ try {
         fs.writeFileSync(frames[n], Buffer.from(picture, "base64"));
     }
     if (messages.length) throw new Error(`the console says: ${messages.join("\n")}`);
-    execFileSync("img2webp", ["-loop", "0", "-lossy", "-q", "62", "-m", "6", "-d", String(Math.round(1000 / FPS)), ...frames, "-o", out], {stdio: "inherit"});
-    console.log(`${out}: ${frames.length} frames, ${(fs.statSync(out).size / 1e6).toFixed(2)} MB`);
+    execFileSync("/usr/bin/python3", ["-B", "tools/webp_film.py", out, ...frames, "--fps", String(FPS), "--most", "1500000"], {stdio: "inherit"});
 } finally {
     fs.rmSync(folder, {recursive: true});
     await browser.close();
