@@ -45,7 +45,8 @@ WINDROW_C_API windrow_wind* windrow_scene_outer_wind(windrow_scene* scene, int32
 /* Writes a wind as a scene file that `windrow run` and windrow_scene_load play: its settings, motors, obstacles and drag as they are now,
    from time 0 on. The air of this moment is not in it (windrow_wind_save). Its wind is one that was created so, to the bit; bodies that
    are turned and directions, to rounding; winds around it may stand one of their cells elsewhere. Of a scene's own wind the file has
-   what is in the air now: motors come with its first step. `path` is UTF-8; `duration` [s] above 0; `tick_hz`: steps a second at least, 60 is that of most scenes.
+   what is in the air now: motors come with its first step. `path` is UTF-8; `duration` [s] above 0; `tick_hz`: steps a second at
+   least, 60 is that of most scenes.
    Rejects wakes, meshes, voxel grids, grounds and maps of roughness, which a scene has paths or files for. */
 WINDROW_C_API windrow_result windrow_wind_write_scene(const windrow_wind* wind, const char* path, double duration,
                                                       double tick_hz);

@@ -56,7 +56,21 @@ Config config_loaded(const Config& config, const Wind& outer) {
     return loaded;
 }
 
+// Where the outer wind repeats, nothing else bounds how many of its cells the box lies in.
+void check_span(Reasons& reasons, const Config& config, const Wind& outer) {
+    constexpr const char* k_axes[3] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double spanned =
+            (config.cells[axis] + k_halo) * static_cast<double>(config.cell_size) / static_cast<double>(outer.box().cell_size) +
+            3.0;
+        if (outer.box().boundaries.periodic(axis) && spanned > 2.0 * k_max_axis_cells)
+            reasons.add("the box spans ", static_cast<int>(std::min(std::ceil(spanned), 2e9)), " cells of its outer wind along ",
+                        k_axes[axis], ": give larger outer cells.");
+    }
+}
+
 void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
+    check_span(reasons, config, outer);
     if (config.ambient != glm::vec3(0.0f) || config.profile || config.gusts.intensity != 0.0f)
         reasons.add("ambient, profile or gusts are given beside an outer wind: leave them out, all levels take those of the "
                     "outermost wind.");
@@ -72,14 +86,8 @@ void check_within(Reasons& reasons, const Config& config, const Wind& outer) {
     const glm::dvec3 rounding = 1e-6 * static_cast<double>(config.cell_size) + 1e-12 * glm::abs(low);
     constexpr const char* k_axes[3] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
-        if (outer.box().boundaries.periodic(axis)) {
-            const double spanned =
-                (config.cells[axis] + k_halo) * static_cast<double>(config.cell_size) / outer.box().cell_size + 3.0;
-            if (spanned > 2.0 * k_max_axis_cells)
-                reasons.add("the box spans ", static_cast<int>(std::ceil(spanned)), " cells of its outer wind along ",
-                            k_axes[axis], ": give larger outer cells.");
+        if (outer.box().boundaries.periodic(axis))
             continue;
-        }
         const bool beyond_low =
             config.boundaries.at(axis, 0).kind == BoundaryKind::open && low[axis] < outer_low[axis] - rounding[axis];
         const bool beyond_high =
@@ -130,6 +138,12 @@ Result<Wind> Wind::make(const Config& wanted, std::shared_ptr<const Wind> outer,
         const Config config = !outer  ? wanted
                               : loads ? detail::config_loaded(wanted, *outer)
                                       : detail::config_within(wanted, *outer);
+        if (loads && outer) {
+            detail::Reasons reasons;
+            detail::check_span(reasons, config, *outer);
+            if (!reasons.empty())
+                return Error{reasons.take()};
+        }
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)

@@ -147,13 +147,14 @@ Result<void> WindCore::change_gusts(const Gusts& gusts) {
 // One ambient wind for all levels: what the outer one has become. Without memory for its gusts, as before.
 void WindCore::follow_outer_ambient() {
     Gusts gusts = outer->config().gusts;
-    gusts.tile = outer->ambient_wind().tile();
+    gusts.tile = outer->ambient_wind().tile() ? outer->ambient_wind().tile() : ambient.tile(); // its own is for detail alone
     const auto seed = [](const Gusts& of, const auto& tile) { return tile ? tile->seed() : of.seed; };
     if (gusts.intensity != config.gusts.intensity || gusts.length != config.gusts.length ||
         seed(gusts, gusts.tile) != seed(config.gusts, ambient.tile()))
         (void)change_gusts(gusts);
     if (const glm::vec3 mean = outer->ambient(); mean != config.ambient) // less what its walls close
         change_ambient(mean);
+    renew_ambient(); // its walls may have closed, or opened, an axis of the gusts alone
 }
 
 Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {

@@ -133,6 +133,7 @@ void check_rows(Reasons& reasons, const Config& config);
 [[nodiscard]] WINDROW_INTERNAL Config config_within(const Config& config, const Wind& outer);
 [[nodiscard]] WINDROW_INTERNAL Config config_loaded(const Config& config, const Wind& outer);
 WINDROW_INTERNAL void check_within(Reasons& reasons, const Config& config, const Wind& outer);
+WINDROW_INTERNAL void check_span(Reasons& reasons, const Config& config, const Wind& outer);
 [[nodiscard]] WINDROW_INTERNAL Result<void> check_room(const char* call, std::size_t values, const Box& box);
 } // namespace detail
 

@@ -265,10 +265,10 @@ class Air {
 
     // Obstacles (air_obstacles.cpp)
     [[nodiscard]] int obstacle_flags() const { return solids_ ? solids_->flags() : 0; }
-    /// As they are `early` [s] before the end of the step.
     void place_within_boundaries(VkCommandBuffer commands);
     void lift_obstacles(VkCommandBuffer commands, CellIndex by);
     [[nodiscard]] bool put_obstacles(VkCommandBuffer commands, bool keeps_faces);
+    /// As they are `early` [s] before the end of the step.
     void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
     void restore_obstacles(VkCommandBuffer commands, DeviceSurface&& surface, std::vector<float>&& terms,
                            std::span<const BodyLoad> loads);

@@ -42,7 +42,7 @@ void DeviceCells::record(const CellChange& change) {
 }
 
 void DeviceCells::refill(const AmbientWind& ambient, const Window& window) {
-    if (std::exchange(filled_, false) && wind_.outer)
+    if (filled_ && wind_.outer)
         record({.kind = Kind::fill, .ambient = ambient, .window = window, .kept = wind_.frames.has_value()});
 }
 
@@ -50,7 +50,7 @@ void DeviceCells::apply(const CellChange& change) {
     if (change.kind == Kind::keep)
         refill(change.ambient, change.window);
     record(change);
-    filled_ = change.kind == Kind::fill || (filled_ && change.kind != Kind::set);
+    filled_ = change.kind == Kind::fill || (filled_ && change.kind != Kind::set && change.kind != Kind::keep);
     if (change.kind == Kind::fill || change.kind == Kind::set)
         held_at_ = wind_.sleep.drift;
 }
@@ -89,6 +89,7 @@ bool DeviceCells::materialise_gusts() {
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     materialise_gusts();
     refill(*step.ambient, *step.window);
+    filled_ = false;
     const bool dictated = !dictated_.empty();
     TickRecorded tick{};
     if (dictated) {
@@ -180,13 +181,13 @@ void DeviceCells::end() {
     commands_ = VK_NULL_HANDLE;
 }
 
-void DeviceCells::continue_from(RestoredAir&& restored) {
+void DeviceCells::continue_from(RestoredAir&& restored, bool filled) {
     air->make_room_to_restore();
     restored.window = wind_.window();
     queue_.clear();
     queue_.make_room();
     loaded_tick_ = wind_.speed.tick();
-    filled_ = false;
+    filled_ = filled;
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

@@ -46,7 +46,9 @@ class DeviceCells final : public CellStorage {
     /// Nothing that was recorded counts.
     void forget();
     /// The next recording begins with this air; nothing else waits.
-    void continue_from(RestoredAir&& restored);
+    /// `filled`: as LevelState.
+    void continue_from(RestoredAir&& restored, bool filled);
+    [[nodiscard]] bool filled() const { return filled_; }
     /// The next tick that is not dictated yet is recorded so: of a replay.
     void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 

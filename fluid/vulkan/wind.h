@@ -74,7 +74,7 @@ struct Frame {
     /// before is done: its read-back is taken now, once per submission. Slots may come in any order; results older than those
     /// taken already are dropped. Default -1: the one after the last, in turns, which is right for a host that waits for
     /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to
-    /// come. Where more than one was thrown away, name the slot.
+    /// come.
     int slot = -1;
     /// [m] World point that ReadBack::box is centred on, to whole cells and within the wind's box. Default, and where it is not
     /// finite: the point that the box follows, or its middle.
@@ -134,10 +134,10 @@ class WINDROW_API Wind : public WindControl, public WindReader {
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
     bool collect(int slot);
-    /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
-    /// nothing of the device's memory is trusted, and the next recording writes all of it again. Motors, boundaries, place and
-    /// wind stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was
-    /// submitted before runs to its end first, as always; its read-backs are not taken.
+    /// After each recording that will never be submitted (its command buffer was reset, its device call failed), before the next one:
+    /// the air is ambient, nothing of the device's memory is trusted, and the next recording writes all of it again. Motors,
+    /// boundaries, place and wind stay as they were set. To go on from the last frame that was read, give its cells to
+    /// `set_velocity`. What was submitted before runs to its end first, as always; its read-backs are not taken.
     void forget();
 
     // --- Snapshots ---------------------------------------------------------------------------------------------------------

@@ -45,6 +45,7 @@ LevelState Wind::State::level_state() const {
         for (const glm::vec4& cell : outer->values())
             level.outer.insert(level.outer.end(), {cell.x, cell.y, cell.z, cell.w});
         level.outer_origin = outer->origin();
+        level.filled = cells.filled();
     }
     return level;
 }
@@ -142,7 +143,7 @@ Result<void> Wind::State::continue_from(LoadedWind from) {
     core.frames = from.core.frames;
     core.place.window.rows = core.rows.get();
     core.obstacles.set_rows(core.rows.get());
-    cells.continue_from(*std::move(air));
+    cells.continue_from(*std::move(air), from.level.filled);
     if (core.config.stages.sources)
         cells.air->set_drag(core.drag.cells_in(core.window(), core.config.boundaries), core.window());
     if (!from.level.outer.empty())

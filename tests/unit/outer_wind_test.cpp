@@ -186,6 +186,10 @@ TEST(OuterWind, HasTheAmbientWindOfAllLevels) {
     ASSERT_TRUE(walled->set_gusts({.intensity = 0.3f, .tile = GustTile::bake(77)}));
     for (Wind* wind : {walled.get(), &between})
         test::take_steps(*wind, 1, 0.05);
+    ASSERT_TRUE(walled->set_boundaries(Boundaries::all(BoundaryKind::free_slip)));
+    for (Wind* wind : {walled.get(), &between})
+        test::take_steps(*wind, 1, 0.05);
+    EXPECT_EQ(between.ambient_wind().gust_axes(), walled->ambient_wind().gust_axes());
     const glm::dvec3 place(1.0, 2.0, 3.0);
     EXPECT_EQ(between.ambient_wind().velocity(place), walled->ambient_wind().velocity(place));
 }
@@ -356,7 +360,10 @@ TEST(OuterWind, RejectsWhatItCannotBe) {
     const auto tiny = shared({.cells = {16, 16, 16},
                               .cell_size = 0.012f,
                               .boundaries = {.x_low = {BoundaryKind::periodic}, .x_high = {BoundaryKind::periodic}}});
-    const std::string many = Wind::create({.cells = {64, 4, 4}, .cell_size = 1.0f}, tiny).error();
+    const Config wide{.cells = {64, 4, 4}};
+    const auto saved = within(shared({.cells = {80, 16, 16}}), wide).save();
+    EXPECT_NE(Wind::load(*saved, {}, tiny).error().find("the box spans 5753 cells"), std::string::npos);
+    const std::string many = Wind::create(wide, tiny).error();
     EXPECT_NE(many.find("the box spans 5753 cells of its outer wind along x: give larger outer cells."), std::string::npos)
         << many;
 }

@@ -187,6 +187,11 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
         kept.stages.add(frame, scene_renderer.times());
         if ((frame - begun) % every == 0)
             kept.sheet.push_back(scene_renderer.images().picture());
+        // So that a run that is killed leaves what --resume goes on from.
+        if (auto noted = kept.stages.write(options.folder / program::StageTable::name(options.part)); !noted) {
+            code = code_of(noted.failure());
+            return noted.failure();
+        }
         ++kept.pictures;
         if (shows_progress)
             std::fprintf(stderr, "\rframe %d of %d ", static_cast<int>(frame - first + 1), static_cast<int>(end - first));
@@ -280,8 +285,6 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         std::printf("%d pictures were there\n", static_cast<int>(kept->before));
     if (kept->pictures == 0)
         return 0;
-    if (auto written = kept->stages.write(options.folder / program::StageTable::name(options.part)); !written)
-        return complain(written.error(), code_of(written.failure()));
     std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*scene_renderer)->device().c_str(),
                 static_cast<int>(kept->pictures), (*scene_renderer)->size().x, (*scene_renderer)->size().y, kept->seconds,
                 options.folder.string().c_str());

@@ -78,13 +78,18 @@ Result<void> Session::read(std::unique_ptr<program::PictureScene>& made, nlohman
 Result<void> Session::reload() {
     std::unique_ptr<program::PictureScene> fresh;
     nlohmann::json document;
+    auto recorded = recording_;
+    const auto backend = settings_.backend;
     if (auto done = read(fresh, document); !done)
         return done;
     if (settings_.draft)
         make_draft(fresh->picture);
     auto player = make_player(*fresh);
-    if (!player)
+    if (!player) {
+        recording_ = std::move(recorded);
+        settings_.backend = backend;
         return player.failure();
+    }
     std::swap(scene_, fresh); // the old one ends after its player
     const auto count = [&](const char* key) { return document.contains(key) ? document[key].size() : std::size_t{0}; };
     motors_read_ = count("motors");

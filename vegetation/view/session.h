@@ -7,8 +7,8 @@
 //     (void)(*session)->save("meadow_edited.json");
 //
 // On the CPU the steps are those of `windrow run`, to the same bits. Each second of the last minute is kept as a snapshot, and all
-// calls after it as an event log: seeking loads the one and replays the other. Winds around the box have snapshots and logs too. A motor or obstacle that is added comes at that
-// moment and one that is removed ends then, so the past stays as it was; a saved scene has it from its beginning.
+// calls after it as an event log: seeking loads the one and replays the other. Winds around the box have snapshots and logs too. A
+// motor or obstacle that is added comes at that moment and one that is removed ends then, so the past stays as it was; a saved scene has it from its beginning.
 #pragma once
 
 #include "fluid/event_log.h"

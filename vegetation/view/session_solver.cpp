@@ -71,10 +71,13 @@ Result<void> Session::set_solver(Backend backend) {
     const auto bytes = player_->air().save(player_->frames());
     if (!bytes)
         return bytes.failure();
-    // The logs of what was kept are written no more, wherever this ends.
+    // Where the other solver takes over, the logs of what was kept are written no more.
     record_to(nullptr);
-    if (auto gone = go_on(*bytes, backend); !gone)
+    if (auto gone = go_on(*bytes, backend); !gone) {
+        if (!segments_.empty())
+            record_to(rewound_.empty() ? &segments_.back()->logs : &rewound_);
         return gone;
+    }
     settings_.backend = backend;
     segments_.clear();
     rewound_.clear();
