@@ -103,7 +103,8 @@ Result<void> check_level(const Wind& level, const SceneLevel& own, const WindCon
     const json of_inner = write_object(expected), of_level = write_object(level.config());
     for (const auto& keys : {of_inner, of_level})
         for (const auto& [key, value] : keys.items())
-            if (key != "centre" && key != "floor" && std::ranges::find(k_of_the_outermost, key) == k_of_the_outermost.end() &&
+            if (key != "centre" && key != "floor" &&
+                std::find(k_of_the_outermost.begin(), k_of_the_outermost.end(), key) == k_of_the_outermost.end() &&
                 (!of_inner.contains(key) || !of_level.contains(key) || of_inner[key] != of_level[key]))
                 return Error{message("an outer wind has another ", key,
                                      " than the wind inside it, and a scene has one for all: "

@@ -73,8 +73,7 @@ int around_period(int index, int count) {
 
 } // namespace
 
-OuterWind::OuterWind(const Box& box, Cells& outer)
-    : OuterWind(box, outer, std::initializer_list{&now_, &from_, &to_, &carried_, &traced_}) {
+OuterWind::OuterWind(const Box& box, Cells& outer) : OuterWind(box, outer, {&now_, &from_, &to_, &carried_, &traced_}) {
     outer.keep_pressure();
 }
 
