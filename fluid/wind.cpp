@@ -56,7 +56,7 @@ Config config_loaded(const Config& config, const Wind& outer) {
     return loaded;
 }
 
-// Where the outer wind repeats, nothing else bounds how many of its cells the box lies in.
+// A periodic outer wind may be smaller than the box, which then spans it many times.
 void check_span(Reasons& reasons, const Config& config, const Wind& outer) {
     constexpr const char* k_axes[3] = {"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {

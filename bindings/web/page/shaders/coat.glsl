@@ -5,7 +5,7 @@
 
 struct CoatSpot {
     vec4 from; // xyz [m] in the mesh's space; w radius
-    vec4 to;   // xyz; w [m] soft rim
+    vec4 to;   // xyz; w [m] width of the soft edge
     vec4 tint; // rgb; w share
     vec4 more; // x length
 };
