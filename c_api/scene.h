@@ -37,9 +37,10 @@ WINDROW_C_API void windrow_scene_destroy(windrow_scene* scene);
 /* Its wind, which takes all calls of wind.h, motors.h and obstacles.h but its own end, its own time and windrow_wind_shift_origin: the
    scene places what it has by its own numbers. It is the scene's. */
 WINDROW_C_API windrow_wind* windrow_scene_wind(windrow_scene* scene);
-/* The number of winds around that (`air.outer`), and one by its place, 0 the nearest; null where there is none. They are the scene's too,
-   and take the same calls. To save all as winds of the host's own, save each and load the outermost first (windrow_wind_load_inside). */
+/* The number of winds around that (`air.outer`). */
 WINDROW_C_API int32_t windrow_scene_outer_count(const windrow_scene* scene);
+/* One of them by its place, 0 the nearest; null where there is none. They are the scene's too, and take the same calls. To save all as
+   winds of the host's own, save each and load the outermost first (windrow_wind_load_inside). */
 WINDROW_C_API windrow_wind* windrow_scene_outer_wind(windrow_scene* scene, int32_t place);
 
 /* Writes a wind as a scene file that `windrow run` and windrow_scene_load play: its settings, motors, obstacles and drag as they are now,

@@ -6,6 +6,7 @@
 #include "fluid/wind.h"
 #include "fluid/window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -99,9 +100,10 @@ struct WindowHistory {
                    glm::any(glm::greaterThanEqual(glm::abs(CellIndex(shift.x, 0, shift.z)), CellIndex(window.cells)));
         return glm::any(glm::greaterThanEqual(glm::abs(shift), CellIndex(window.cells)));
     }
-    /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box.
+    /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box. A width of nearly nothing, over which
+    /// no quotient is finite, is a millionth of a cell.
     [[nodiscard]] BlendZone blend_zone(glm::dvec3 about, float width, float inset) const {
-        BlendZone zone{.point = about, .reach = glm::vec3(0.0f), .width = width};
+        BlendZone zone{.point = about, .reach = glm::vec3(0.0f), .width = width > 0.0f ? std::max(width, 1e-6f) : 0.0f};
         for (int axis = 0; axis < 3; ++axis) {
             const float reach = 0.5f * static_cast<float>(window.cells[axis]) - inset;
             if (width > 0.0f && follow_axes[axis] && reach >= width + 1.0f)

@@ -63,6 +63,22 @@ TEST(BlendZone, WithoutItAShiftShows) {
     EXPECT_GT(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before), 0.01f) << "this test would not see a jump";
 }
 
+// One over the width was infinite, and nothing times that no cell: a query at the place itself read outside of the cells.
+TEST(BlendZone, OfNearlyNoWidthIsAStep) {
+    for (const float width : {1e-45f, 1e-39f, 1e-20f, 1e-3f}) {
+        Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .blend_width = width});
+        wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
+        for (const double end : {-15.0, 15.0}) {
+            EXPECT_EQ(wind.velocity({end, 0.0, 0.0}).x, 1.0f) << width;
+            EXPECT_EQ(wind.velocity({0.0, 0.0, end}).x, 1.0f) << width;
+            EXPECT_EQ(wind.velocity({0.99 * end, 0.0, 0.0}).x, 5.0f) << width;
+        }
+        const PlaceBlock place = wind.frame_block({}).place;
+        for (const AxisBlock& axis : {place.x, place.z})
+            EXPECT_TRUE(std::isfinite(axis.edge_scale) && std::isfinite(axis.low_edge)) << width;
+    }
+}
+
 TEST(BlendZone, FadesFromTheBoxToAmbient) {
     Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .blend_width = 4.0f});
     wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });

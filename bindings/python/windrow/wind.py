@@ -289,6 +289,8 @@ class Wind:
     then gives no mean wind, profile or gusts: they are those of `outer`.
     """
 
+    _outer: Wind | None
+
     def __init__(self, config: Config | None = None, *, pool: ThreadPool | None = None, outer: Wind | None = None) -> None:
         keep: list[Any] = []
         struct = (Config() if config is None else of_class("config", config, Config))._to_c(keep)
@@ -335,7 +337,7 @@ class Wind:
         check(library.windrow_query_init(self._query_at, ctypes.sizeof(self._query)))
         self._velocities_at = ctypes.c_void_p.from_buffer(self._query, _c.Query.velocities.offset)
         self._copies = False
-        self._outer: Wind | None = None
+        self._outer = None
         self.motors = Motors(handle)
         self.obstacles = Obstacles(handle)
         self.drag = DragField(handle)
