@@ -42,6 +42,8 @@ function(windrow_compile target)
                          $<$<BOOL:${WINDROW_WERROR}>:-Werror>)
   if(WINDROW_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${WINDROW_UNITY})
+    # Groups of files need more memory than GCC begins to collect at, which takes a twelfth of the time: up to 1 GB each.
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>)
     # Names of one file hide those of another, and GCC takes a .cpp for a header and warns of its unnamed namespaces.
     target_compile_options(${target} PRIVATE -Wno-shadow $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
