@@ -260,6 +260,7 @@ try {
         Object.assign(window.windrow.overlays, {slices: [], arrows: false, streaks: false, box: false});
         window.windrow.meadow.setQuality(0);
     });
+    if (await tab.isVisible("#panel")) await tab.click("[data-act='panel']"); // which would lie over the wolf
     await tab.setViewportSize({width: 480, height: 270}); // shells are many fragments for a software GPU
     for (const [label, name, from, to] of [["Oak", "oak", [-1.4, 3, 1], [1.4, 3.2, -1]], ["Wolf", "wolf", [0.1, 0.85, -0.6], [0.1, 0.85, 0.7]]]) {
         await tab.selectOption("#scene", {label});
