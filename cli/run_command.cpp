@@ -305,6 +305,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
 
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     report_run({.scene = *scene,
+                .playback = *playback,
                 .folder = folder,
                 .writer = run.writer,
                 .timings = run.timings,

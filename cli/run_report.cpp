@@ -50,6 +50,25 @@ std::string largest_text(const scene::Scene& scene) {
     return text;
 }
 
+/// "$.motors[1] (car) and 2 others"; "3 motors" where it is not known which.
+std::string lost_text(const RunReport& report) {
+    const int lost = report.timings.motors_lost();
+    const auto slots = report.playback.wind().motors().slots();
+    std::string first;
+    int found = 0;
+    for (std::size_t n = 0; n < report.scene.motors.size(); ++n) {
+        const MotorId id = report.playback.air().motor(n);
+        if (id.slot >= slots.size() || !slots[id.slot].used || slots[id.slot].generation != id.generation ||
+            slots[id.slot].reaches)
+            continue;
+        if (found++ == 0)
+            first = message("$.motors[", n, "] (", report.scene.motors[n].name, ")");
+    }
+    if (found != lost) // some ended, or will come into the box that follows
+        return plural(lost, "motor");
+    return lost == 1 ? first : message(first, " and ", plural(lost - 1, "other"));
+}
+
 void warn(const RunReport& report, const Console& console) {
     const Timings& timings = report.timings;
     if (timings.limited_cells() > 0)
@@ -78,7 +97,7 @@ void warn(const RunReport& report, const Console& console) {
         console.warn(message("an obstacle filled more than half of the box in ", plural(timings.filled(), "step"), "; ",
                              largest_text(report.scene), " Lengths are metres: was it made in centimetres?"));
     if (timings.motors_lost() > 0)
-        console.warn(message(plural(timings.motors_lost(), "motor"),
+        console.warn(message(lost_text(report),
                              " reached no air in any step: ", timings.motors_lost() == 1 ? "it is" : "they are",
                              " under the ground or far outside of the box; compare $.motors with $.floor and $.air."));
 }

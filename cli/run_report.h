@@ -3,6 +3,7 @@
 
 #include "cli/console.h"
 #include "cli/frame_writer.h"
+#include "cli/playback.h"
 #include "cli/timings.h"
 #include "scene/scene.h"
 
@@ -14,6 +15,7 @@ namespace windrow::cli {
 
 struct RunReport {
     const scene::Scene& scene;
+    const Playback& playback; ///< at its end
     const std::filesystem::path& folder;
     const FrameWriter& writer;
     const Timings& timings;

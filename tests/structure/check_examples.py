@@ -4,7 +4,7 @@
 C++: each ```cpp block compiles, as a program or as a function's body, all in one translation unit. What a block needs before it is in
 an HTML comment above it, <!-- cpp ... -->. A program is run with --link, and prints what a comment below it says,
 <!-- prints: REGULAR EXPRESSION -->. Commands: `windrow ...`, `windrow-draw ...` and `./dev ...` in code name existing
-subcommands and options, by the help of each PATH. Links: files and headings exist. Without --compiler, --link or --program that
+subcommands and options, by the help of each PATH; docs/scenes.md names every option of `windrow run`. Links: files and headings exist. Without --compiler, --link or --program that
 part is left out.
 """
 import argparse
@@ -139,6 +139,12 @@ def check_commands(texts, programs, dev, faults):
     return count
 
 
+def check_options(program, known, text, page, faults):
+    """A page that lists the options of a command lists them all."""
+    flags = {word for span in re.findall(r"`([^`\n]+)`|^ {4}(.*)$", text, re.MULTILINE) for part in span for word in OPTION.findall(part)}
+    faults.extend(f"{page}: {program} has the option {option}, and the page does not" for option in sorted(known - flags - {"--help"}))
+
+
 # --- Links -----------------------------------------------------------------------------------------------------------------
 
 
@@ -178,6 +184,7 @@ def main():
         done.append(f"{run_programs(options.compiler, (options.headers, root), options.link, texts, faults)} programs run")
     if options.program:
         programs = {pathlib.Path(program).name: known_options(program) for program in options.program}
+        check_options("windrow run", programs.get("windrow", {}).get("run", set()), texts["docs/scenes.md"], "docs/scenes.md", faults)
         done.append(f"{check_commands(texts, programs, (root / 'dev').read_text(encoding='utf-8'), faults)} commands")
     print("\n".join(faults) if faults else f"no fault in the links{''.join(f', {part}' for part in done)}")
     sys.exit(1 if faults else 0)

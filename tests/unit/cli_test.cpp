@@ -216,6 +216,26 @@ TEST_F(Command, LimitedCellsAreSaid) {
         "cells, counted in each step; raise tick_hz or air.max_substeps.\n");
 }
 
+TEST_F(Command, AMotorThatReachesNoAirIsNamed) {
+    const auto motor = [](const char* name, const char* place) {
+        return std::string(R"({"name": ")") + name + R"(", "kind": "directional", "position": )" + place +
+               R"(, "direction": [1, 0, 0], "region": {"sphere": {"radius": 1}}, "law": {"drive": {"speed": 5}}})";
+    };
+    const auto warned = [&](const std::string& motors) {
+        const std::string scene = write("lost.json", R"({"duration": 0.1, "tick_hz": 10, "air": {"cells": [8, 8, 8],
+            "follow_axes": [false, false, false]}, "motors": [)" +
+                                                         motors + "]}");
+        const CommandOutcome outcome = run({"run", scene.c_str()});
+        EXPECT_EQ(outcome.code, k_exit_well);
+        return outcome.err;
+    };
+    const std::string here = motor("fan", "[0, 0, 0]"), far = motor("car", "[90, 0, 0]");
+    EXPECT_EQ(warned(here + ", " + far),
+              "windrow: warning: $.motors[1] (car) reached no air in any step: it is under the ground or far outside of the box; "
+              "compare $.motors with $.floor and $.air.\n");
+    EXPECT_TRUE(warned(far + ", " + far + ", " + here).starts_with("windrow: warning: $.motors[0] (car) and 1 other reached"));
+}
+
 TEST_F(Command, AnObstacleThatFillsTheBoxIsNamedWithItsSize) {
     const std::string large = write("large.json", R"({"duration": 0.1, "tick_hz": 10, "air": {"cells": [8, 8, 8], "cell_size": 1},
         "obstacles": [{"name": "post", "position": [0, 0, 0], "shape": {"block": {"half_size": [0.2, 2, 0.2]}}},
