@@ -6,6 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <numeric>
+#include <span>
+#include <vector>
 
 namespace windrow {
 namespace {
@@ -153,6 +156,41 @@ TEST(ObstacleForces, AreTheSameInAnyFrameAndAtAnyRate) {
         WINDROW_EXPECT_FIGURE("forces/frames/long/60_against_240_hz",
                               std::abs(drag_of(cases[0].shape, k_area, true, 240.0) / middle - 1.0), 0.1);
     }
+}
+
+// A thin sail and a cube that slide across the wind. Where a face closes, the air there stops within a step: a jolt. Over the time that a
+// body takes to cross a cell the mean is that of a body at rest in the same relative wind; in the wind without the slide it is .49 apart.
+TEST(ObstacleForces, OfABodyThatSlidesAreRightOverACell) {
+    constexpr double k_slide = 2.0, k_rate = 60.0; // [m/s, Hz]
+    constexpr int k_steps = 240, k_cell = 30;      // steps, and those that a cell of a metre takes
+    double jolt = 0.0, apart = 0.0;
+    for (const Shape& shape : {Shape(Block{{0.15f, 2.0f, 2.0f}}), Shape(Block{glm::vec3(2.0f)})}) {
+        const auto forces = [&](double speed) {
+            Wind wind =
+                made({.cells = {24, 12, 24}, .cell_size = 1.0f, .ambient = {8.0f, 0.0f, static_cast<float>(speed - k_slide)}});
+            const glm::dvec3 start(0.0, 0.0, -0.5 * speed * k_steps / k_rate);
+            const ObstacleId body = *wind.obstacles().add({.position = start, .shape = shape});
+            std::vector<double> found;
+            for (int step = 1; step <= k_steps; ++step) {
+                EXPECT_TRUE(wind.obstacles().move(body, start + glm::dvec3(0.0, 0.0, speed * step / k_rate)));
+                (void)wind.step(1.0 / k_rate);
+                if (step > k_steps / 2)
+                    found.push_back(force_on(wind, body).x);
+            }
+            return found;
+        };
+        const auto mean = [](std::span<const double> values) {
+            return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+        };
+        const double rests = mean(forces(0.0));
+        const std::vector<double> slides = forces(k_slide);
+        for (std::size_t n = 0; n + k_cell <= slides.size(); ++n) {
+            apart = std::max(apart, std::abs(mean(std::span(slides).subspan(n, k_cell)) / rests - 1.0));
+            jolt = std::max(jolt, std::abs(slides[n] / rests));
+        }
+    }
+    figure("forces/slides/a_step", jolt);
+    WINDROW_EXPECT_FIGURE("forces/slides/a_cell_apart", apart, 0.2);
 }
 
 // A ball through still air, a third of a cell a step: no air is faster than it, and the air outside has what it was given. Where the
