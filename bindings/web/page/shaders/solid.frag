@@ -6,7 +6,7 @@ uniform vec4 tint; // rgb albedo; w how much its grain shows
 out vec4 colour;
 void main() {
     vec3 n = normalize(normal), to_eye = normalize(eye.xyz - position);
-    n = dot(n, to_eye) < -0.3 ? -n : n;      // the edge of a round body of few faces is no back
+    n = dot(n, to_eye) < 0.0 ? -n : n;
     vec3 p = position / 0.16, share = n * n; // of a noise along each axis; of one along a slope a ball shows streaks
     float grain = share.x * windrow_place_noise(p.zy + 600.0) + share.y * windrow_place_noise(p.xz + 600.0) +
                   share.z * windrow_place_noise(p.xy + 600.0);
