@@ -121,6 +121,8 @@ class CellStorage {
     virtual void show(const FrameBlend& blend) = 0;
     /// The frame shown and the one before it become the air of now: of a wind that was reset.
     virtual void show_air() = 0;
+    /// The air was filled and not stepped or set since.
+    [[nodiscard]] virtual bool filled() const { return false; }
     /// Of the newest tick whose speed the host knows.
     [[nodiscard]] virtual MeasuredSpeeds measured() const = 0;
     /// Why the storage cannot hold such gusts.

@@ -71,6 +71,12 @@ Advance WindCore::advance(double dt) {
         regridded = regridded || done.last.regridded;
     }
     done.last.regridded = regridded;
+    if (due.ticks == 0 && outer && cells_.filled() &&
+        !sleep.asleep()) { // air of no step is the outer wind's of now, whoever read it
+        apply(CellChange::Kind::fill);
+        apply(CellChange::Kind::fill_before);
+        cells_.show_air();
+    }
     const double factor = frames->clock.factor(config.ticks);
     done.factor = static_cast<float>(factor);
     cells_.show(frames->show(now(), factor));

@@ -235,7 +235,8 @@ Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
 void Cells::apply(const CellChange& change) {
     renew_around(change.ambient, change.window, config_.parallel_for);
     sampled_.held = false;
-    if (outer_ && change.kind == CellChange::Kind::fill)
+    // Cells that a host sets before a first step are beside the outer wind of now, not beside that of the fill.
+    if (outer_ && (change.kind == CellChange::Kind::fill || (change.kind == CellChange::Kind::set && filled_)))
         outer_->renew(change.window, config_.parallel_for);
     else if (outer_)
         outer_->move_to(change.window, config_.parallel_for);

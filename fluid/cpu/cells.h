@@ -80,6 +80,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;
     void show_air() override;
+    [[nodiscard]] bool filled() const override { return filled_; }
     [[nodiscard]] MeasuredSpeeds measured() const override { return {measured_}; }
     void shift_origin(const OriginShift& shift) override {
         around_origin_cells_ += shift.cells;

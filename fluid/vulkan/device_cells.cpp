@@ -47,7 +47,7 @@ void DeviceCells::refill(const AmbientWind& ambient, const Window& window) {
 }
 
 void DeviceCells::apply(const CellChange& change) {
-    if (change.kind == Kind::keep)
+    if (change.kind == Kind::keep || change.kind == Kind::set)
         refill(change.ambient, change.window);
     record(change);
     filled_ = change.kind == Kind::fill || (filled_ && change.kind != Kind::set && change.kind != Kind::keep);

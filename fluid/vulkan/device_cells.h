@@ -48,7 +48,7 @@ class DeviceCells final : public CellStorage {
     /// The next recording begins with this air; nothing else waits.
     /// `filled`: as LevelState.
     void continue_from(RestoredAir&& restored, bool filled);
-    [[nodiscard]] bool filled() const { return filled_; }
+    [[nodiscard]] bool filled() const override { return filled_; }
     /// The next tick that is not dictated yet is recorded so: of a replay.
     void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 

@@ -1,10 +1,12 @@
 // A wind inside another one: what it takes from the outer wind, and that it takes nothing where that is the ambient wind.
 #include "tests/figure.h"
+#include "tests/tier.h"
 #include "tests/winds.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 namespace windrow {
@@ -316,6 +318,95 @@ TEST(OuterWind, OfAMiddleLevelThatEndsIsTheNext) {
     const float expected = alone.velocity({23.9, 0.0, 0.0}).z;
     EXPECT_LT(expected, -3.0f);
     WINDROW_EXPECT_FIGURE("outer_wind.beyond_a_middle_level", std::abs(walks.velocity({23.9, 0.0, 0.0}).z - expected), 0.6);
+}
+
+// Random levels and what a host calls between frames. Saved and loaded they go on with the same bits, and about another origin they are
+// the same wind.
+TEST(OuterWind, OfRandomStoriesGoesOnAfterALoadAndInAnotherOrigin) {
+    using Levels = std::vector<std::shared_ptr<Wind>>; // outermost first
+    const auto levels_of = [](unsigned seed) {
+        std::mt19937 chance(seed);
+        const auto below = [&](int count) { return static_cast<int>(chance() % static_cast<unsigned>(count)); };
+        const Boundaries sides = below(3) != 0 ? Boundaries::open_over_floor() : Boundaries::all(BoundaryKind::open);
+        constexpr glm::ivec3 k_cells[] = {{18, 8, 18}, {14, 8, 14}, {12, 6, 12}};
+        Levels made;
+        float cell_size = 4.0f;
+        for (int n = 0, count = 2 + below(2); n < count; ++n, cell_size /= below(3) == 0 ? 1.0f : 2.0f) {
+            Config config{.cells = k_cells[n], .cell_size = cell_size, .boundaries = sides};
+            if (below(2) == 0)
+                config.ticks = {.hz = 10.0 * (n + 1)};
+            config.pressure_solves = below(3) == 0 ? 2 : config.pressure_solves;
+            config.relaxation_time = below(4) == 0 ? 5.0f : config.relaxation_time;
+            if (n == 0) {
+                config.ambient = {static_cast<float>(below(17) - 8), 0.0f, static_cast<float>(below(17) - 8)};
+                config.gusts = {.intensity = below(2) == 0 ? 0.3f : 0.0f, .length = 12.0f};
+            }
+            made.push_back(n == 0 ? shared(config) : std::make_shared<Wind>(within(made.back(), config)));
+        }
+        for (const auto& wind : made) {
+            const double bottom = wind->origin().y;
+            (void)test::added(
+                *wind,
+                DirectionalMotor{.position = {-5.0, bottom + 3.0, 1.0}, .region = Sphere{4.0f}, .law = Drive{.speed = 9.0f}});
+            if (below(2) == 0) {
+                EXPECT_TRUE(wind->obstacles().add({.position = {4.0, bottom + 2.0, 2.0}, .shape = Block{{1.5f, 3.0f, 2.0f}}}));
+            }
+        }
+        return made;
+    };
+    const auto frame = [](const Levels& levels, unsigned seed, glm::dvec3 origin) {
+        std::mt19937 chance(seed);
+        const auto below = [&](int count) { return static_cast<int>(chance() % static_cast<unsigned>(count)); };
+        const glm::dvec3 walked = origin + glm::dvec3(below(5) - 2, 0.0, 0.4 * below(9));
+        const int what = below(10);
+        if (what == 0) {
+            EXPECT_TRUE(levels.front()->set_ambient({static_cast<float>(below(9) - 4), 0.0f, 2.0f}));
+        }
+        for (const auto& wind : levels) {
+            if (what == 1)
+                wind->reset();
+            const bool walks = what == 2 || (what == 3 && wind == levels.back());
+            EXPECT_TRUE(!walks || wind->follow(walked));
+        }
+        const double dt = below(2) == 0 ? 1.0 / 60.0 : 1.0 / 23.0;
+        for (const auto& wind : levels)
+            (void)wind->advance(dt);
+    };
+    double moved = 0.0;
+    for (unsigned seed = 0; seed < static_cast<unsigned>(test::sampled(200, 8)); ++seed) {
+        const Levels levels = levels_of(seed), elsewhere = levels_of(seed);
+        Levels loaded;
+        constexpr glm::dvec3 k_origin{256.0, 0.0, -128.0};
+        double largest = 1e-9, apart = 0.0;
+        for (unsigned n = 0; n < 24; ++n) {
+            if (n == 6 + seed % 9) {
+                for (const auto& wind : levels) {
+                    auto again = Wind::load(*wind->save(), {}, loaded.empty() ? nullptr : loaded.back());
+                    ASSERT_TRUE(again) << again.error();
+                    loaded.push_back(std::make_shared<Wind>(*std::move(again)));
+                }
+                for (const auto& wind : elsewhere)
+                    ASSERT_TRUE(wind->shift_origin(k_origin));
+            }
+            frame(levels, 1000 * seed + n, {});
+            frame(elsewhere, 1000 * seed + n, loaded.empty() ? glm::dvec3(0.0) : k_origin);
+            if (loaded.empty())
+                continue;
+            frame(loaded, 1000 * seed + n, {});
+            for (std::size_t level = 0; level < levels.size(); ++level)
+                for (int point = 0; point < 64; ++point) {
+                    const glm::dvec3 part(point % 4, point / 4 % 4, point / 16);
+                    const glm::dvec3 place =
+                        levels[level]->origin() + glm::dvec3(levels[level]->box().size()) * (0.45 * part - 0.1);
+                    const glm::vec3 wind = levels[level]->velocity(place);
+                    ASSERT_EQ(wind, loaded[level]->velocity(place)) << seed << ", frame " << n << ", level " << level;
+                    apart = std::max(apart, double(glm::length(wind - elsewhere[level]->velocity(place + k_origin))));
+                    largest = std::max(largest, double(glm::length(wind)));
+                }
+        }
+        moved = std::max(moved, apart / largest);
+    }
+    WINDROW_EXPECT_FIGURE("outer_wind.stories.in_another_origin", moved, 2e-4);
 }
 
 // A box that repeats is around every place.
