@@ -5,7 +5,8 @@
 // A is the ambient wind, one for all levels. D and p are read at each cell of the inner box and of its halo, linearly between the
 // outer centres. D is interpolated, never u: so the log profile below the lowest outer row stays as it is. Where the outer box
 // ends D fades to 0, as its own wind fades to the ambient one, or to that of the level around it. In a step they go linearly from
-// what the last step ended with to the outer wind of now, which is up to a tick of its own late. Then U is what the ambient wind was, and beyond open boundaries
+// what the last step ended with to the outer wind of now, which is up to a tick of its own late. U takes the place of the ambient
+// wind, and beyond open boundaries stand
 //
 //   carried ghosts     U - (dt/2) grad p       at the start of the sub-step
 //   trajectories       U                       at its end
