@@ -71,8 +71,8 @@ Advance WindCore::advance(double dt) {
         regridded = regridded || done.last.regridded;
     }
     done.last.regridded = regridded;
-    if (due.ticks == 0 && outer && cells_.filled() &&
-        !sleep.asleep()) { // air of no step is the outer wind's of now, whoever read it
+    // Air that no step has carried is the outer wind's of now, whoever read it.
+    if (due.ticks == 0 && outer && cells_.filled() && !sleep.asleep()) {
         apply(CellChange::Kind::fill);
         apply(CellChange::Kind::fill_before);
         cells_.show_air();
